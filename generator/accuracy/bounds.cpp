@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "emit/sincos.hpp"
 
 namespace treedyn::accuracy {
@@ -53,7 +54,7 @@ std::set<int> OutputError::inputs() const {
 std::set<int> OutputError::inputs_as_they_are() const {
   std::set<int> result;
   const auto note = [&](int k) {
-    const BoundStep& of = steps_[static_cast<std::size_t>(k)];
+    const BoundStep& of = steps_[to_index(k)];
     if (of.kind == Kind::kInput) {
       result.insert(of.a);
     }
@@ -85,8 +86,8 @@ Interval OutputError::sum(const BoundStep& of) const {
   if (!of.turn) {
     return result;
   }
-  const auto first = static_cast<std::size_t>(of.a);
-  const auto second = static_cast<std::size_t>(of.b);
+  const auto first = to_index(of.a);
+  const auto second = to_index(of.b);
   const double noise = above(noises_[first] + noises_[second]);  // of the products
   return intersection(
       result,
@@ -104,7 +105,7 @@ Interval OutputError::exact(const BoundStep& of, const Box& box) const {
     case Kind::kConstant:
       return of.constant;
     case Kind::kInput:
-      return box[static_cast<std::size_t>(of.a)];
+      return box[to_index(of.a)];
     case Kind::kAdd:
       return sum(of);
     case Kind::kMultiply:
@@ -159,22 +160,20 @@ void OutputError::forward(const Box& box) {
 
 /// What a product with a sine or cosine passes to its other factor.
 Interval OutputError::passed(int product) const {
-  const BoundStep& of = steps_[static_cast<std::size_t>(product)];
-  const Interval result =
-      slopes_[static_cast<std::size_t>(product)] * value(of.other == of.a ? of.b : of.a);
+  const BoundStep& of = steps_[to_index(product)];
+  const Interval result = slopes_[to_index(product)] * value(of.other == of.a ? of.b : of.a);
   return of.minus_a != of.minus_b ? -result : result;
 }
 
 void OutputError::backward(std::size_t k) {
   const BoundStep& of = steps_[k];
   for (const auto& [cosine, sine] : of.pairs) {
-    const Interval turn = turned(slopes_[static_cast<std::size_t>(cosine)].size(),
-                                 slopes_[static_cast<std::size_t>(sine)].size());
+    const Interval turn = turned(slopes_[to_index(cosine)].size(), slopes_[to_index(sine)].size());
     slopes_[k] = slopes_[k] + intersection(passed(cosine) + passed(sine), turn);
   }
   const auto pass = [&](int to, bool minus, const Interval& factor) {
     if (!(of.paired && of.other == to)) {
-      Interval& slope = slopes_[static_cast<std::size_t>(to)];
+      Interval& slope = slopes_[to_index(to)];
       slope = slope + (minus ? -(slopes_[k] * factor) : slopes_[k] * factor);
     }
   };

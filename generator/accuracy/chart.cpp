@@ -153,11 +153,10 @@ class Chart {
   /// Errors that have no place on the axis.
   [[nodiscard]] std::string note() const {
     const std::string text =
-        is_empty_ ? "all errors are exactly 0: there is no place for them on a logarithmic axis"
-                  : fmt::format(
-                        "not drawn: {} of exactly 0, for which a logarithmic axis has no "
-                        "place",
-                        zeros_ == 1 ? "an error" : fmt::format("{} errors", zeros_));
+        is_empty_
+            ? "all errors are exactly 0: there is no place for them on a logarithmic axis"
+            : fmt::format("not drawn: {} of exactly 0, for which a logarithmic axis has no place",
+                          zeros_ == 1 ? "an error" : fmt::format("{} errors", zeros_));
     return zeros_ == 0
                ? ""
                : fmt::format("<text x=\"{}\" y=\"35\" fill=\"#555\">{}</text>\n", kLeft, text);
@@ -242,8 +241,8 @@ class Chart {
     }
     return path.empty() ? path
                         : fmt::format(
-                              "<path d=\"{}\" fill=\"none\" stroke=\"#bbb\" "
-                              "stroke-width=\"6\" stroke-linejoin=\"round\"/>\n",
+                              "<path d=\"{}\" fill=\"none\" stroke=\"#bbb\" stroke-width=\"6\" "
+                              "stroke-linejoin=\"round\"/>\n",
                               path);
   }
 
@@ -289,9 +288,9 @@ class Chart {
     for (std::size_t k = 0; k < methods_.size(); ++k) {
       x = kLeft + column * static_cast<double>(k % columns);
       y += k % columns == 0 ? kEntry : 0;
-      add(methods_[k], fmt::format("stroke=\"{0}\" stroke-width=\"2\"/><path d=\"M{1} {2}{3}\" "
-                                   "fill=\"{0}\"/>",
-                                   look(k).colour, x + 10, y, look(k).mark));
+      add(methods_[k],
+          fmt::format("stroke=\"{0}\" stroke-width=\"2\"/><path d=\"M{1} {2}{3}\" fill=\"{0}\"/>",
+                      look(k).colour, x + 10, y, look(k).mark));
     }
     foot = y + kEntry;
     return text;

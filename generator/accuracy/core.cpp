@@ -74,8 +74,7 @@ const Precision& precision(const Core& core, const Build& build) {
 const std::vector<Core>& cores() { return kCores; }
 
 const Core* find_core(std::string_view name) {
-  const auto found =
-      std::ranges::find_if(kCores, [&](const Core& core) { return core.name == name; });
+  const auto found = std::ranges::find(kCores, name, &Core::name);
   return found == kCores.end() ? nullptr : &*found;
 }
 

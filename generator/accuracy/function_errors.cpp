@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "emit/literal.hpp"
 #include "program/ones.hpp"
 
@@ -104,7 +105,7 @@ Measured measured_in(const program::Function& function, const Arithmetic& how, c
 
 std::string output_name(const program::Signature& signature, std::size_t k) {
   for (const program::Array& array : signature.outputs) {
-    const auto size = static_cast<std::size_t>(array.size);
+    const auto size = to_index(array.size);
     if (k < size) {
       return fmt::format("{}[{}]", array.name, k);
     }
@@ -134,8 +135,7 @@ std::vector<T> executed(const program::Function& function, const Inputs& inputs,
   const std::vector<T> values = program::node_values<T>(
       function.graph, function.outputs,
       [&](int array, int element) {
-        return static_cast<T>(
-            inputs[static_cast<std::size_t>(array)][static_cast<std::size_t>(element)]);
+        return static_cast<T>(inputs[to_index(array)][to_index(element)]);
       },
       [sincos](program::Kind kind, const T& x) { return elementary<T>(kind, x, sincos); });
   std::vector<T> outputs;

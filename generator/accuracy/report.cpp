@@ -69,9 +69,8 @@ std::string contraction_text(const Study& study, const std::vector<std::size_t>&
   return !(most > 0) || (least > 0.995 && most < 1.005)
              ? ""
              : fmt::format(
-                   "with contraction (-ffp-contract=fast; "
-                   "rounds otherwise): {:.2f} to {:.2f} times "
-                   "these cycles\n",
+                   "with contraction (-ffp-contract=fast; rounds otherwise): {:.2f} to {:.2f} "
+                   "times these cycles\n",
                    least, most);
 }
 
@@ -156,8 +155,7 @@ std::string band_text(const Study& study) {
   }
   return fmt::format(
       "{} initial states: the scene's own and others whose {} differ by up to {:.3g} of their "
-      "size, "
-      "that of those below 0.1 taken as 0.1",
+      "size, that of those below 0.1 taken as 0.1",
       study.states,
       study.speeds_only ? "speeds (loops have their place)" : "coordinates and speeds",
       study.spread);

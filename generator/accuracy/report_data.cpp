@@ -1,10 +1,9 @@
 // A study for programs: CSV, JSON and settings.
-#include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "accuracy/report.hpp"
+#include "common/transformed.hpp"
 #include "emit/json.hpp"
 
 namespace treedyn::accuracy {
@@ -16,8 +15,7 @@ const char* scalar_of(State state) { return state == State::kDouble ? "double" :
 const char* kept_of(State state) { return state == State::kCompensated ? "compensated" : "plain"; }
 
 std::string numbers(const std::vector<double>& values) {
-  std::vector<std::string> result;
-  std::ranges::transform(values, std::back_inserter(result), emit::json_number);
+  const std::vector<std::string> result = transformed(values, emit::json_number);
   return emit::json_list(result);
 }
 
@@ -140,10 +138,9 @@ std::string report_csv(const Study& study) {
 }
 
 std::string report_json(const Study& study) {
-  std::vector<std::string> rows;
-  for (const Outcome& outcome : study.outcomes) {
-    rows.push_back(emit::json_object(outcome_members(outcome)));
-  }
+  const std::vector<std::string> rows = transformed(study.outcomes, [&](const Outcome& outcome) {
+    return emit::json_object(outcome_members(outcome));
+  });
   Members differences;
   for (const auto& [error, difference] : study.reference.differences) {
     differences.emplace_back(row_of(error).name, fmt::format("{:.3g}", difference));
@@ -156,8 +153,7 @@ std::string report_json(const Study& study) {
       "{{\n  \"scene\": {},\n  \"duration\": {},\n  \"states\": {},\n  \"spread\": {},\n  "
       "\"error\": \"{}\",\n  \"points\": {},\n  \"reference_agreement\": {:.3g},\n  "
       "\"reference_differences\": {},\n  \"check_difference\": {:.3g},\n  \"stability_limits\": "
-      "{},\n  "
-      "\"settings\": {}\n}}\n",
+      "{},\n  \"settings\": {}\n}}\n",
       emit::json_string(study.scene), study.duration, study.states, study.spread,
       row_of(study.error).name, emit::json_list(emit::json_strings(study.points)),
       study.reference.agreement, emit::json_object(differences), study.reference.check_difference,

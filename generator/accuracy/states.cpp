@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/transformed.hpp"
 #include "program/random.hpp"
 
 namespace treedyn::accuracy {
@@ -36,10 +37,7 @@ std::uint64_t seed(const std::string& argument, int number) {
 }
 
 std::string names(const std::vector<std::string>& joints, std::size_t of) {
-  std::vector<std::string> words;
-  for (const std::string& name : joints) {
-    words.push_back(shown(name));
-  }
+  const std::vector<std::string> words = transformed(joints, shown);
   return joints.size() == of ? "any joint" : fmt::format("{}", fmt::join(words, ", "));
 }
 

@@ -6,6 +6,7 @@
 #include "block/rewrite.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 
 namespace treedyn::block {
 namespace {
@@ -101,12 +102,7 @@ std::vector<int> Plan::needed(const std::vector<int>& results) const {
 }
 
 std::vector<const Step*> Plan::operands(const std::vector<int>& ids) const {
-  std::vector<const Step*> result;
-  result.reserve(ids.size());
-  for (const int id : ids) {
-    result.push_back(&step(id));
-  }
-  return result;
+  return transformed(ids, [&](int id) { return &step(id); });
 }
 
 bool Plan::is_constant(const std::vector<int>& ids) const {
@@ -261,11 +257,7 @@ int Plan::add_product(const Expression& e) {
       result = apply(factors[k], result);
     }
   } else {
-    std::vector<int> ids;
-    ids.reserve(factors.size());
-    for (const Expression& f : factors) {
-      ids.push_back(add(f));
-    }
+    const std::vector<int> ids = transformed(factors, [&](const Expression& f) { return add(f); });
     result = chain(ids);
   }
   return add_sum({{result, factor}});
@@ -303,11 +295,9 @@ int Plan::apply(const Expression& e, int column) {
 }
 
 int Plan::apply_terms(const Expression& sum, int column) {
-  std::vector<Scaled> terms;
-  terms.reserve(sum.operands().size());
-  for (const Expression& term : sum.operands()) {
-    terms.push_back({apply(term, column), {}});
-  }
+  const std::vector<Scaled> terms = transformed(sum.operands(), [&](const Expression& term) {
+    return Scaled{apply(term, column), {}};
+  });
   return add_sum(terms);
 }
 

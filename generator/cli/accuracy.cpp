@@ -15,6 +15,7 @@
 #include "cli/step_sizes.hpp"
 #include "cli/study_parts.hpp"
 #include "common/identifier.hpp"
+#include "common/transformed.hpp"
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
 #include "formulate/scene_loops.hpp"
@@ -397,10 +398,7 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
 }
 
 std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study& study) {
-  std::vector<const accuracy::Core*> on;
-  for (const std::string& name : request.on) {
-    on.push_back(accuracy::find_core(name));
-  }
+  const std::vector<const accuracy::Core*> on = transformed(request.on, accuracy::find_core);
   std::string text = accuracy::report_text(study, on);
   for (const accuracy::Core* core : request.target ? on : std::vector<const accuracy::Core*>{}) {
     const std::string choice = accuracy::choice_text(study, *core, *request.target);

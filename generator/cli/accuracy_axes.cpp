@@ -102,18 +102,16 @@ void require_removable(const Subject& subject, const std::string& effect,
   const bool sticks = effect == "coulomb_friction" && !scene.frictions.empty();
   if (sticks || model::effect_named(effect).decides_rows) {
     throw UsageError(
-        fmt::format("--without: {} decides which rows and events the step has; "
-                    "expected an effect that adds a term",
+        fmt::format("--without: {} decides which rows and events the step has; expected an effect "
+                    "that adds a term",
                     effect));
   }
   Variant variant;
   variant.without = effect;
   if (statements(subject, integrator, variant, writer) ==
       statements(subject, integrator, {}, writer)) {
-    throw UsageError(
-        fmt::format("--without: the step is the same without {}; expected an effect "
-                    "that adds a term",
-                    effect));
+    throw UsageError(fmt::format(
+        "--without: the step is the same without {}; expected an effect that adds a term", effect));
   }
 }
 

@@ -244,8 +244,7 @@ std::string without_literals(std::string_view text) {
 int changed_lines(std::string_view old_text, std::string_view new_text) {
   const std::vector<Edit> all = edits(lines_of(old_text), lines_of(new_text));
   const auto lines = [&](char sign) {
-    return static_cast<int>(
-        std::ranges::count_if(all, [sign](const Edit& edit) { return edit.sign == sign; }));
+    return static_cast<int>(std::ranges::count(all, sign, &Edit::sign));
   };
   return std::max(lines('+'), lines('-'));
 }

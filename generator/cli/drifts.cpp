@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/index.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn {
@@ -21,7 +22,7 @@ void Drifts::begin(int state, double t, const Vector& q) {
 void Drifts::act(int state, double t, const Vector& q) {
   simulation::Constraints& constraints = system_.constraints();
   const std::vector<int> before = constraints.active();
-  const std::vector<int>& now = states_[static_cast<std::size_t>(state)].active;
+  const std::vector<int>& now = states_[to_index(state)].active;
   constraints.activate(now);
   const simulation::Terms& terms = system_.geometry(q);
   for (const int c : now) {
@@ -33,9 +34,9 @@ void Drifts::act(int state, double t, const Vector& q) {
 }
 
 void Drifts::change(int state, double t, const Vector& q) {
-  const int from = states_[static_cast<std::size_t>(state_)].phase;
-  const int to = states_[static_cast<std::size_t>(state)].phase;
-  for (const model::Event& event : scene_.phases[static_cast<std::size_t>(from)].until) {
+  const int from = states_[to_index(state_)].phase;
+  const int to = states_[to_index(state)].phase;
+  for (const model::Event& event : scene_.phases[to_index(from)].until) {
     if (event.then != to) {
       continue;
     }
@@ -54,8 +55,7 @@ void Drifts::look(double t, const Vector& q, const Vector& qd) {
   constraints.jacobian(terms, J_);
   constraints.velocities(t, led_);
   for (int k = 0; k < constraints.rows(); ++k) {
-    const model::Constraint& c =
-        scene_.constraints[static_cast<std::size_t>(constraints.constraint(k))];
+    const model::Constraint& c = scene_.constraints[to_index(constraints.constraint(k))];
     if (!constraints.is_held(k) || c.sticks) {
       continue;
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "equations/table.hpp"
 #include "expansion/equations_text.hpp"
 #include "stages/formulation.hpp"
@@ -70,8 +71,7 @@ std::string program_text(const program::Function& function) {
     if (node.kind == program::Kind::kConstant) {
       result += " " + graph.value(k).str(20);
     } else if (node.kind == program::Kind::kInput) {
-      result += fmt::format(
-          " {}[{}]", function.signature.inputs[static_cast<std::size_t>(node.a)].name, node.b);
+      result += fmt::format(" {}[{}]", function.signature.inputs[to_index(node.a)].name, node.b);
     }
     program::for_each_operand(node,
                               [&](program::Ref operand) { result += fmt::format(" {}", operand); });

@@ -4,6 +4,7 @@
 #include "cli/model_facts.hpp"
 #include "cli/prices.hpp"
 #include "common/decimal.hpp"
+#include "common/transformed.hpp"
 #include "emit/header.hpp"
 #include "emit/json.hpp"
 #include "emit/manifest.hpp"
@@ -56,38 +57,33 @@ std::vector<std::string> links_json(const model::Tree& tree) {
 }
 
 std::vector<std::string> points_json(const Model& model) {
-  std::vector<std::string> result;
-  for (const model::Point& point : model.points) {
-    result.push_back(json_object({{"name", json_string(point.name)},
-                                  {"identifier", json_string(point.identifier)},
-                                  {"link", json_string(point.link_name)},
-                                  {"at", vector_json(model::place_in_frame(model.tree, point))}}));
-  }
-  return result;
+  return transformed(model.points, [&](const model::Point& point) {
+    return json_object({{"name", json_string(point.name)},
+                        {"identifier", json_string(point.identifier)},
+                        {"link", json_string(point.link_name)},
+                        {"at", vector_json(model::place_in_frame(model.tree, point))}});
+  });
 }
 
 std::vector<std::string> snaps_json(const model::Tree& tree) {
-  std::vector<std::string> result;
-  for (const model::Snap& snap : tree.snaps) {
-    result.push_back(json_object({{"line", std::to_string(snap.where.line)},
-                                  {"column", std::to_string(snap.where.column)},
-                                  {"what", json_string(snap.what)},
-                                  {"from", json_string(snap.from)},
-                                  {"to", json_string(snap.to)},
-                                  {"change", emit::decimal(snap.change)}}));
-  }
-  return result;
+  return transformed(tree.snaps, [&](const model::Snap& snap) {
+    return json_object({{"line", std::to_string(snap.where.line)},
+                        {"column", std::to_string(snap.where.column)},
+                        {"what", json_string(snap.what)},
+                        {"from", json_string(snap.from)},
+                        {"to", json_string(snap.to)},
+                        {"change", emit::decimal(snap.change)}});
+  });
 }
 
 /// \param key  what the prices are of
 std::string prices_json(const char* key, const std::vector<Price>& prices) {
-  std::vector<std::string> result;
-  for (const Price& price : prices) {
-    result.push_back(json_object({{key, json_string(price.of)},
-                                  {"function", json_string(price.function)},
-                                  {"with", emit::operations_json(price.with)},
-                                  {"without", emit::operations_json(price.without)}}));
-  }
+  const std::vector<std::string> result = transformed(prices, [&](const Price& price) {
+    return json_object({{key, json_string(price.of)},
+                        {"function", json_string(price.function)},
+                        {"with", emit::operations_json(price.with)},
+                        {"without", emit::operations_json(price.without)}});
+  });
   return emit::json_lines(result, 4);
 }
 
@@ -104,15 +100,13 @@ std::string parameters_json(const Model& model, const Request& request,
 
 std::vector<std::string> functions_json(const Model& model, const Request& request,
                                         const program::Programs& programs) {
-  std::vector<std::string> result;
-  for (const Priced& function : priced(model, request, programs)) {
-    result.push_back(json_object({{"name", json_string(function.signature.name)},
-                                  {"equation", json_string(function.signature.equation)},
-                                  {"values", std::to_string(function.values())},
-                                  {"operations", emit::operations_json(function.cost)},
-                                  {"fused", std::to_string(function.cost.fused)}}));
-  }
-  return result;
+  return transformed(priced(model, request, programs), [&](const Priced& function) {
+    return json_object({{"name", json_string(function.signature.name)},
+                        {"equation", json_string(function.signature.equation)},
+                        {"values", std::to_string(function.values())},
+                        {"operations", emit::operations_json(function.cost)},
+                        {"fused", std::to_string(function.cost.fused)}});
+  });
 }
 
 }  // namespace

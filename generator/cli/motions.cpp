@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "common/transformed.hpp"
 #include "dynamics/generated_run.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "model/effects.hpp"
@@ -177,13 +178,10 @@ std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
   if (!subject.scene.constraints.empty()) {
     drifts.emplace(whole, *subject.dynamics);
   }
-  std::vector<Motion> result;
-  result.reserve(subject.starts.size());
-  for (const Start& start : subject.starts) {
-    result.push_back(stepped_motion(subject, settled_at(scene, start), start, step,
-                                    drifts ? &*drifts : nullptr));
-  }
-  return result;
+  return transformed(subject.starts, [&](const Start& start) {
+    return stepped_motion(subject, settled_at(scene, start), start, step,
+                          drifts ? &*drifts : nullptr);
+  });
 }
 
 double step_seconds(const Subject& subject, const Stepped& how, const StepFiles& files) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/transformed.hpp"
 #include "version.hpp"
 
 namespace treedyn {
@@ -55,10 +56,8 @@ std::string words_of(const CLI::Option& option) {
 }
 
 std::string names_of(const CLI::Option& option, const char* between) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames()) {
-    names.push_back("-" + name);
-  }
+  std::vector<std::string> names =
+      transformed(option.get_snames(), [](const std::string& name) { return "-" + name; });
   for (const std::string& name : option.get_lnames()) {
     names.push_back("--" + name);
   }

@@ -158,10 +158,9 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
     const std::string name(trimmed(line.substr(0, equals)));
     const CLI::Option* const option = command.get_option_no_throw("--" + name);
     if (option == nullptr || name == "settings" || name == "help") {
-      refuse(
-          fmt::format("--{0} is no option of {1} that may stand here; expected one of "
-                      "treedyn {1} --help",
-                      shown(name), command.get_name()));
+      refuse(fmt::format(
+          "--{0} is no option of {1} that may stand here; expected one of treedyn {1} --help",
+          shown(name), command.get_name()));
     }
     if (is_given(*option, result)) {
       refuse(fmt::format("--{} stands here twice; expected it once", name));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/simulate.hpp"
+#include "common/transformed.hpp"
 #include "emit/json.hpp"
 #include "emit/template_file.hpp"
 #include "model/effects.hpp"
@@ -29,10 +30,9 @@ std::string bracketed(const std::vector<std::string>& values) {
 /// Short numbers, enough for a picture.
 template <class List>
 std::string short_numbers(const List& values) {
-  std::vector<std::string> result;
-  for (const double value : values) {
-    result.push_back(std::isfinite(value) ? fmt::format("{:.6g}", value) : "null");
-  }
+  const std::vector<std::string> result = transformed(values, [&](double value) {
+    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
+  });
   return bracketed(result);
 }
 
@@ -72,14 +72,13 @@ std::string rows_json(const simulation::Recording& recording) {
 }
 
 std::string events_json(const SimulateResult& result) {
-  std::vector<std::string> events;
-  for (const simulation::EventRecord& event : result.recording.events) {
-    events.push_back(
-        emit::json_object({{"t", fmt::format("{:.9g}", event.time)},
-                           {"name", emit::json_string(event.name)},
-                           {"phase", emit::json_string(result.phase_name(event.phase))},
-                           {"then", emit::json_string(result.phase_name(event.then))}}));
-  }
+  const std::vector<std::string> events =
+      transformed(result.recording.events, [&](const simulation::EventRecord& event) {
+        return emit::json_object({{"t", fmt::format("{:.9g}", event.time)},
+                                  {"name", emit::json_string(event.name)},
+                                  {"phase", emit::json_string(result.phase_name(event.phase))},
+                                  {"then", emit::json_string(result.phase_name(event.then))}});
+      });
   return bracketed(events);
 }
 
@@ -253,10 +252,7 @@ std::string units_json(const model::Scene& scene) {
 std::string report_data(const SimulateResult& result) {
   const simulation::Recording& recording = result.recording;
   const model::Scene& scene = result.scene;
-  std::vector<std::string> phases;
-  for (const model::Phase& phase : scene.phases) {
-    phases.push_back(phase.name);
-  }
+  const std::vector<std::string> phases = transformed(scene.phases, &model::Phase::name);
   std::vector<std::string> lines;
   for (const auto& [a, b] : recording.figure.lines) {
     lines.push_back(fmt::format("[{},{}]", a, b));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/simulate.hpp"
+#include "common/transformed.hpp"
 #include "emit/json.hpp"
 
 namespace treedyn {
@@ -34,10 +35,7 @@ using emit::json_number;
 
 template <class List>
 std::string json_numbers(const List& values) {
-  std::vector<std::string> result;
-  for (const double value : values) {
-    result.push_back(json_number(value));
-  }
+  const std::vector<std::string> result = transformed(values, json_number);
   return emit::json_list(result);
 }
 
@@ -138,8 +136,8 @@ std::string operations_text(const SimulateResult& result) {
   return *result.operations == 0
              ? "; what they take of the tree (A, B + G, points) is constant"
              : fmt::format(
-                   "; what they take of the tree (A, B + G, points): {} operations each, "
-                   "{:.3g} in all",
+                   "; what they take of the tree (A, B + G, points): {} operations each, {:.3g} in "
+                   "all",
                    *result.operations, static_cast<double>(*result.operations) * evaluations);
 }
 
@@ -167,11 +165,10 @@ std::vector<std::string> facts_of(const SimulateResult& result) {
                   recording.rows.size(), recording.events.size(), recording.cost.rejected),
       fmt::format("{} evaluations of the dynamics{}", recording.cost.evaluations,
                   operations_text(result)),
-      fmt::format("energy that no force explains: {:.3g} J at the end, at most {:.3g} of what the "
-                  "motion had exchanged, or of a fall by the robot's size; largest residual "
-                  "{:.3g}, drift {:.3g}",
-                  recording.energy_error, recording.energy_part, recording.residual,
-                  recording.drift)};
+      fmt::format(
+          "energy that no force explains: {:.3g} J at the end, at most {:.3g} of what the motion "
+          "had exchanged, or of a fall by the robot's size; largest residual {:.3g}, drift {:.3g}",
+          recording.energy_error, recording.energy_part, recording.residual, recording.drift)};
   for (const simulation::StabilityLimit& limit : result.stability.limits) {
     lines.push_back(limit.step ? fmt::format("{} is stable up to steps of {:.3g} s here",
                                              limit.integrator, *limit.step)
@@ -203,14 +200,11 @@ std::string csv_text(const SimulateResult& result) {
 std::string json_text(const SimulateResult& result) {
   std::vector<std::string> columns = {"t", "phase"};
   columns.insert(columns.end(), result.recording.columns.begin(), result.recording.columns.end());
-  std::vector<std::string> rows;
-  for (const simulation::Row& row : result.recording.rows) {
-    rows.push_back(row_json(result, row));
-  }
-  std::vector<std::string> events;
-  for (const simulation::EventRecord& event : result.recording.events) {
-    events.push_back(event_json(result, event));
-  }
+  const std::vector<std::string> rows = transformed(
+      result.recording.rows, [&](const simulation::Row& row) { return row_json(result, row); });
+  const std::vector<std::string> events =
+      transformed(result.recording.events,
+                  [&](const simulation::EventRecord& event) { return event_json(result, event); });
   std::vector<std::string> statuses;
   for (const StatusRecord& status : result.statuses) {
     statuses.push_back(emit::json_object({{"name", emit::json_string(status_names(status.bit))},

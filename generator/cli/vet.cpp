@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "common/transformed.hpp"
 #include "description/read.hpp"
 #include "emit/json.hpp"
 #include "request/user_equations.hpp"
@@ -44,10 +45,7 @@ std::vector<Finding> vet(const Request& request) {
 
 std::string findings_text(const std::vector<Finding>& findings, const std::string& format) {
   if (format == "json") {
-    std::vector<std::string> values;
-    for (const Finding& finding : findings) {
-      values.push_back(json_finding(finding));
-    }
+    const std::vector<std::string> values = transformed(findings, json_finding);
     return emit::json_lines(values, 2) + "\n";
   }
   std::string result;

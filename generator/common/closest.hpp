@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/transformed.hpp"
+
 namespace treedyn {
 
 bool is_known(std::string_view word, const std::vector<std::string_view>& known);
@@ -20,11 +22,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
 /// The member `name` of every item; the views are into the list.
 template <class List>
 std::vector<std::string_view> names_of(const List& list) {
-  std::vector<std::string_view> names;
-  for (const auto& item : list) {
-    names.push_back(item.name);
-  }
-  return names;
+  return transformed(list, [](const auto& item) -> std::string_view { return item.name; });
 }
 
 }  // namespace treedyn

@@ -10,8 +10,8 @@ constexpr std::array<RuleRow, 37> kRules = {{
     {Rule::kRates, "R11",
      "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
     {Rule::kValueRates, "R11'",
-     "dot of what is derived, in frames of links: y = D^T a + N^T b: y' = D^T a' + N^T (b' + "
-     "w×y), w = σ q̇ z"},
+     "dot of what is derived, in frames of links: y = D^T a + N^T b: y' = D^T a' + N^T (b' + w×y), "
+     "w = σ q̇ z"},
     {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
     {Rule::kSums, "R1",
      "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -39,8 +39,7 @@ constexpr std::array<RuleRow, 37> kRules = {{
     {Rule::kParameters, "R10",
      "m c = h, J_c - m Λ(c)² = I: c×(m x) = h×x, c×(Λ(α) h) = (I - J_c) α"},
     {Rule::kPlaces, "F1",
-     "of what no P_i of a sliding joint is in: it may be anywhere on its axis, in the link, l = "
-     "0"},
+     "of what no P_i of a sliding joint is in: it may be anywhere on its axis, in the link, l = 0"},
     {Rule::kStart, "F2", "what is added to all sums along paths is where they start"},
     {Rule::kFathers, "F3", "what is made of N x alone is the father's: S(N x) = Π S(D x)"},
     {Rule::kPseudoInertia, "F4",
@@ -52,15 +51,15 @@ constexpr std::array<RuleRow, 37> kRules = {{
     {Rule::kTurned, "F8",
      "½ (Λ(ω) J_c - J_c Λ(ω) - Λ(J_c ω)) - Λ(c) Λ(ω×h) = -Λ(ω) E, I = tr(E) - E"},
     {Rule::kRelative, "F9",
-     "D^T ω×h + N^T m (ω_f×s + v) = ω_f×h^c + D^T w×h^c + N^T m v: what turns with the father "
-     "does not travel"},
+     "D^T ω×h + N^T m (ω_f×s + v) = ω_f×h^c + D^T w×h^c + N^T m v: what turns with the father does "
+     "not travel"},
     {Rule::kMomentum, "F9'", "I^c (ω_f×x) - Λ(ω_f) E^c x = (E^c ω_f)×x"},
     {Rule::kElimination, "R9",
      "A x = r: U = K b, d = b·U, x = (u - U·y)/d; fathers take K' = K - U U^T/d, p' = p + U u/d"},
     {Rule::kYields, "R9'", "K' b = 0 and b·p' = r: a joint hands on nothing along its axis"},
     {Rule::kFactors, "R12",
-     "A = A^T, zero but along paths: A = L^T Δ L, L = E + L' zero where D is, a = Δ L is A - "
-     "L'^T a"},
+     "A = A^T, zero but along paths: A = L^T Δ L, L = E + L' zero where D is, a = Δ L is A - L'^T "
+     "a"},
     {Rule::kTriangles, "R12'",
      "L x = r: x = r - L' x from the root; L^T x = r: x = r - L'^T x from the leaves"},
     {Rule::kReactions, "R12''",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "block/block.hpp"
+#include "common/index.hpp"
 #include "derive/rules.hpp"
 
 namespace treedyn::derive {
@@ -100,9 +101,7 @@ class Values {
   [[nodiscard]] const Choices& choices() const { return choices_; }
 
   int intern(Value value);
-  [[nodiscard]] const Value& operator[](int id) const {
-    return values_[static_cast<std::size_t>(id)];
-  }
+  [[nodiscard]] const Value& operator[](int id) const { return values_[to_index(id)]; }
   [[nodiscard]] int size() const { return static_cast<int>(values_.size()); }
 
   /// What a travelling value is.
@@ -110,14 +109,12 @@ class Values {
   [[nodiscard]] const std::map<int, int>& definitions() const { return definitions_; }
 
   /// True for what depends on the column that is asked for.
-  [[nodiscard]] bool of_unit(int id) const { return of_unit_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] bool of_unit(int id) const { return of_unit_[to_index(id)]; }
 
   /// The rules that acted, also those that left nothing where they did.
   [[nodiscard]] const std::set<Rule>& acted() const { return acted_; }
   /// Those that made the value, or a value that is a part of it.
-  [[nodiscard]] const std::set<Rule>& made_by(int id) const {
-    return made_by_[static_cast<std::size_t>(id)];
-  }
+  [[nodiscard]] const std::set<Rule>& made_by(int id) const { return made_by_[to_index(id)]; }
   /// \return the value that the rule made
   int note(Rule rule, int id);
   void note(const std::set<Rule>& rules, int id);

@@ -56,11 +56,10 @@ void check_moments(const RawTree& raw, const RawLink& link, const Matrix3& tenso
     return;
   }
   if (m[0] + m[1] < m[2] - 2 * tolerance) {
-    warnings.push_back(
-        {location(raw, written.where),
-         fmt::format("{} violates the triangle inequality: of its principal moments {} the largest "
-                     "exceeds the sum of the others",
-                     name, moments)});
+    warnings.push_back({location(raw, written.where),
+                        fmt::format("{} violates the triangle inequality: of its principal moments "
+                                    "{} the largest exceeds the sum of the others",
+                                    name, moments)});
   }
 }
 

@@ -61,18 +61,17 @@ void check_identifiers(const std::vector<Named>& names, const std::string& kind)
                                    shown(named.name)));
     }
     if (!is_new && (has(*other->second, named) || has(named, *other->second))) {
-      throw InputError(named.where,
-                       fmt::format("{}s '{}' and '{}' declare the same number; expected "
-                                   "one of them",
-                                   kind, shown(other->second->name), shown(named.name)));
-    }
-    if (!is_new) {
       throw InputError(
           named.where,
-          fmt::format("{0}s '{1}' and '{2}' both become the identifier '{3}'; expected "
-                      "names that differ in letters or digits",
-                      kind, shown(other->second->name), shown(named.name),
-                      shown(named.identifier)));
+          fmt::format("{}s '{}' and '{}' declare the same number; expected one of them", kind,
+                      shown(other->second->name), shown(named.name)));
+    }
+    if (!is_new) {
+      throw InputError(named.where,
+                       fmt::format("{0}s '{1}' and '{2}' both become the identifier '{3}'; "
+                                   "expected names that differ in letters or digits",
+                                   kind, shown(other->second->name), shown(named.name),
+                                   shown(named.identifier)));
     }
   }
 }

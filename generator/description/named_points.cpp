@@ -9,6 +9,7 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/transformed.hpp"
 #include "description/identifiers.hpp"
 #include "description/read.hpp"
 #include "description/vectors.hpp"
@@ -43,10 +44,7 @@ std::string some_names(std::vector<std::string_view> all) {
   std::ranges::sort(all);
   const bool more = all.size() > kMost;
   all.resize(std::min(all.size(), kMost));
-  std::vector<std::string> names;
-  for (const std::string_view name : all) {
-    names.push_back(shown(name));
-  }
+  const std::vector<std::string> names = transformed(all, shown);
   return fmt::format("{}{}", fmt::join(names, ", "), more ? ", .." : "");
 }
 
@@ -124,8 +122,7 @@ class PointList {
   }
 
   void add_bare(std::string_view name, std::vector<model::Point>& result) const {
-    const auto point = std::ranges::find_if(
-        tree_.points, [name](const model::Point& p) { return p.name == name; });
+    const auto point = std::ranges::find(tree_.points, name, &model::Point::name);
     if (point != tree_.points.end()) {
       result.push_back(*point);
     } else if (name == "all" && frames_.count(name) == 0) {
@@ -177,8 +174,7 @@ class PointList {
 
 const model::Frame* find_frame(const model::Tree& tree, std::string_view name) {
   static const model::Frame ground{"ground", model::kGround, identity(), {}};
-  const auto found = std::ranges::find_if(
-      tree.frames, [&](const model::Frame& frame) { return frame.name == name; });
+  const auto found = std::ranges::find(tree.frames, name, &model::Frame::name);
   if (found != tree.frames.end()) {
     return &*found;
   }

@@ -8,6 +8,7 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 #include "description/identifiers.hpp"
 #include "model/scene_facts.hpp"
 
@@ -141,8 +142,7 @@ class PhaseReader {
   [[nodiscard]] int reacting(const SceneFields& fields) const {
     const Node& node = fields.get("constraint");
     const std::optional<int> found = constraint(fields, node);
-    if (!found || scene_.constraints[static_cast<std::size_t>(*found)].kind !=
-                      model::ConstraintKind::kPoint) {
+    if (!found || scene_.constraints[to_index(*found)].kind != model::ConstraintKind::kPoint) {
       fields.fail(node.where, found ? "is no point_constraint; expected one, whose reaction is a "
                                       "force"
                                     : "the constraint is switched off; expected one that acts");
@@ -173,7 +173,7 @@ class PhaseReader {
   void check_rest(const SceneFields& fields, const model::Event& event,
                   const std::vector<int>& rows) const {
     const auto is_elsewhere = [&](int c) {
-      const model::Constraint& row = scene_.constraints[static_cast<std::size_t>(c)];
+      const model::Constraint& row = scene_.constraints[to_index(c)];
       return row.kind != model::ConstraintKind::kPoint || row.point != event.point;
     };
     const Place& where = fields.get("rest_below").key.where;
@@ -222,7 +222,7 @@ class PhaseReader {
     for (const model::Phase& phase : scene_.phases) {
       for (const model::Event& event : phase.until) {
         if (event.impact && event.impact->rest_below > 0 && resting.insert(event.then).second) {
-          Named name = names_[static_cast<std::size_t>(event.then)];
+          Named name = names_[to_index(event.then)];
           name.name += "_at_rest";
           name.identifier = to_identifier(name.name);
           names.push_back(std::move(name));

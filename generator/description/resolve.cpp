@@ -10,6 +10,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "description/bodies.hpp"
 #include "description/identifiers.hpp"
 #include "description/mimic.hpp"
@@ -213,10 +214,9 @@ class Resolver {
       tree_.links.push_back(std::move(result));
     }
     if (tree_.links.empty()) {
-      fail(raw_.name.where,
-           fmt::format("model '{}' has no joint that moves; expected at least one, "
-                       "or --base axes for a body that floats",
-                       shown(raw_.name.text)));
+      fail(raw_.name.where, fmt::format("model '{}' has no joint that moves; expected at least "
+                                        "one, or --base axes for a body that floats",
+                                        shown(raw_.name.text)));
     }
   }
 
@@ -325,11 +325,9 @@ class Resolver {
   }
 
   [[nodiscard]] std::vector<Named> joint_names() const {
-    std::vector<Named> result;
-    for (const model::Link& link : tree_.links) {
-      result.push_back({link.joint.name, link.joint.identifier, link.joint.where});
-    }
-    return result;
+    return transformed(tree_.links, [&](const model::Link& link) {
+      return Named{link.joint.name, link.joint.identifier, link.joint.where};
+    });
   }
 
   const RawTree& raw_;

@@ -52,8 +52,7 @@ bool is_whole_base(const RawTree& raw, const model::Tree& tree, const model::Fra
 /// The moving link of that name. What is fixed to a link has no numbers of its own.
 int moving_link(const RawTree& raw, const model::Tree& tree, const std::string& name,
                 const std::string& quantity, const Location& where) {
-  const auto frame = std::ranges::find_if(
-      tree.frames, [&](const model::Frame& candidate) { return candidate.name == name; });
+  const auto frame = std::ranges::find(tree.frames, name, &model::Frame::name);
   if (frame == tree.frames.end()) {
     throw InputError(where, fmt::format("{}there is no link '{}'; expected one of the model",
                                         prefix(where), shown(name)));

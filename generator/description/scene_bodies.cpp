@@ -6,6 +6,7 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 #include "description/scene_fields.hpp"
 
 namespace treedyn::description {
@@ -38,8 +39,8 @@ Numbers rows_of(const SceneFields& fields, const Node& node) {
 Numbers upper_half(const SceneFields& fields, const Node& node) {
   const Numbers all = rows_of(fields, node);
   for (const auto& [upper, lower] : {std::pair(1, 3), std::pair(2, 6), std::pair(5, 7)}) {
-    const Text& a = all.values[static_cast<std::size_t>(upper)];
-    const Text& b = all.values[static_cast<std::size_t>(lower)];
+    const Text& a = all.values[to_index(upper)];
+    const Text& b = all.values[to_index(lower)];
     if (read_decimal(a.text).value != read_decimal(b.text).value) {
       fields.fail(b.where, fmt::format("'{}' is not symmetric, {} differs from {}; expected equal "
                                        "entries",
@@ -92,8 +93,7 @@ void read_body(const std::string& file, const Node& node, std::size_t index,
                                               "prismatic",
                                               joint.type.text));
   }
-  joint.father = {father == 0 ? "ground" : names[static_cast<std::size_t>(father - 1)],
-                  fields.get("father").where};
+  joint.father = {father == 0 ? "ground" : names[to_index(father - 1)], fields.get("father").where};
   joint.where = node.where;
   joint.axis = texts_of(fields, fields.get("axis"));
   joint.pose.xyz = texts_of(fields, fields.get("offset"));

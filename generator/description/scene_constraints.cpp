@@ -6,6 +6,7 @@
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
+#include "common/index.hpp"
 #include "description/scene_effects.hpp"
 
 namespace treedyn::description {
@@ -77,12 +78,12 @@ void SceneEffects::refuse_contradictions(const SceneFields& root) const {
   const auto& constraints = context_.scene().constraints;
   for (const model::Phase& phase : context_.scene().phases) {
     for (auto b = phase.active.begin(); b != phase.active.end(); ++b) {
-      const auto& second = constraints[static_cast<std::size_t>(*b)];
+      const auto& second = constraints[to_index(*b)];
       const auto a = std::find_if(phase.active.begin(), b, [&](int c) {
-        return contradict(constraints[static_cast<std::size_t>(c)], second);
+        return contradict(constraints[to_index(c)], second);
       });
       if (a != b) {
-        const auto& first = constraints[static_cast<std::size_t>(*a)];
+        const auto& first = constraints[to_index(*a)];
         root.fail(places_.at(second.name),
                   fmt::format("constraint '{}' contradicts '{}' in phase '{}'; expected the same "
                               "motion, or one of them",
@@ -172,8 +173,7 @@ void SceneEffects::read_accelerations(const SceneFields& fields,
 void SceneEffects::point_constraint(const SceneFields& fields) {
   model::Constraint constraint;
   constraint.point = context_.point(fields);
-  constraint.name =
-      fields.text_or("name", scene().points[static_cast<std::size_t>(constraint.point)].name);
+  constraint.name = fields.text_or("name", scene().points[to_index(constraint.point)].name);
   read_directions(fields, constraint);
   if (fields.find("curve") != nullptr) {
     const std::vector<Node>& entries = fields.triple(fields.get("curve"));
@@ -193,8 +193,8 @@ void SceneEffects::orientation_constraint(const SceneFields& fields) {
   model::Constraint constraint;
   constraint.kind = ConstraintKind::kOrientation;
   constraint.point = context_.point(fields);
-  constraint.name = fields.text_or(
-      "name", scene().points[static_cast<std::size_t>(constraint.point)].name + "_orientation");
+  constraint.name =
+      fields.text_or("name", scene().points[to_index(constraint.point)].name + "_orientation");
   read_directions(fields, constraint);
   read_accelerations(fields, constraint);
   add(fields, std::move(constraint));

@@ -81,8 +81,7 @@ SceneEffects::SceneEffects(SceneContext& context, const SceneFields& root) : con
     const SceneFields effects = context_.fields(*node, "effects", keys);
     read_gravity(effects);
     for (const Node& entries : node->items) {  // constraints and points get the order of the file
-      const auto row = std::ranges::find_if(
-          rows(), [&](const Row& other) { return other.effect == entries.key.text; });
+      const auto row = std::ranges::find(rows(), entries.key.text, &Row::effect);
       if (row != rows().end()) {
         read_entries(*row, effects, entries);
       }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/transformed.hpp"
 #include "description/identifiers.hpp"
 
 namespace treedyn::description {
@@ -117,11 +118,7 @@ std::vector<Real> SceneFields::numbers_of_joints(std::string_view key, std::size
     fail(node.where, fmt::format("{} has {} entries; expected {}, one a joint", described(node),
                                  node.items.size(), size));
   }
-  std::vector<Real> result;
-  for (const Node& item : node.items) {
-    result.push_back(number_of(item));
-  }
-  return result;
+  return transformed(node.items, [&](const Node& item) { return number_of(item); });
 }
 
 const std::vector<Node>& SceneFields::list(std::string_view key) const {

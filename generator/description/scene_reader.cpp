@@ -8,6 +8,7 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/transformed.hpp"
 #include "description/identifiers.hpp"
 #include "description/read.hpp"
 #include "description/resolve.hpp"
@@ -264,10 +265,8 @@ class SceneReader {
   }
 
   [[nodiscard]] std::vector<int> constraints(const SceneFields& fields, const char* key) const {
-    std::vector<int> result;
-    for (const Node& item : fields.list(key)) {
-      result.push_back(constraint(fields, item));
-    }
+    std::vector<int> result =
+        transformed(fields.list(key), [&](const Node& item) { return constraint(fields, item); });
     std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -276,8 +275,7 @@ class SceneReader {
   [[nodiscard]] int phase(const SceneFields& fields, const char* key) const {
     const std::string name = fields.text(key).text;
     const auto& phases = scene_.phases;
-    const auto found =
-        std::ranges::find_if(phases, [&](const model::Phase& p) { return p.name == name; });
+    const auto found = std::ranges::find(phases, name, &model::Phase::name);
     if (found == phases.end()) {
       fields.fail(fields.get(key).where,
                   fmt::format("phase '{}' is not defined; expected one of 'phases'", shown(name)));

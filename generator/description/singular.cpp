@@ -7,6 +7,7 @@
 
 #include "common/decimal.hpp"
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "description/read.hpp"
 #include "description/scene_reader.hpp"
 #include "description/vectors.hpp"
@@ -148,10 +149,8 @@ struct Pivot {
 /// Pivots by articulated bodies (EQUATIONS.md 7.4), O(N). \param armature  by link
 std::vector<Pivot> articulated_pivots(const model::Tree& tree, const std::vector<Real>& armature) {
   std::vector<Pivot> pivots(tree.links.size());
-  std::vector<Spatial> rigid;
-  for (const model::Link& link : tree.links) {
-    rigid.push_back(spatial_inertia(link.inertia));
-  }
+  std::vector<Spatial> rigid = transformed(
+      tree.links, [&](const model::Link& link) { return spatial_inertia(link.inertia); });
   std::vector<Spatial> articulated = rigid;
   for (int i = tree.size() - 1; i >= 0; --i) {
     const model::Link& link = tree.links[to_index(i)];
@@ -207,7 +206,7 @@ Movement free_movement(const model::Tree& tree, const std::vector<Pivot>& pivots
 /// A(q) of the independent joints, A_r = T^T A T, by composite bodies (EQUATIONS.md 7.3); dense,
 /// row-major.
 std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
-  const auto n = static_cast<std::size_t>(tree.dof());
+  const auto n = to_index(tree.dof());
   std::vector<Real> a(n * n, Real(0));
   const auto add_entry = [&](int i, int j, const Real& value) {
     const model::Drive& row = tree.drives[to_index(i)];
@@ -215,10 +214,8 @@ std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
     a[to_index(row.coordinate) * n + to_index(column.coordinate)] +=
         row.multiplier * column.multiplier * value;
   };
-  std::vector<Spatial> composite;
-  for (const model::Link& link : tree.links) {
-    composite.push_back(spatial_inertia(link.inertia));
-  }
+  std::vector<Spatial> composite = transformed(
+      tree.links, [&](const model::Link& link) { return spatial_inertia(link.inertia); });
   const auto position = [&](int i) {
     const model::Drive& drive = tree.drives[to_index(i)];
     return Real(drive.multiplier * general_position(drive.coordinate) + drive.offset);
@@ -288,7 +285,7 @@ Movement free_reduced_movement(const std::vector<Real>& a, const std::vector<boo
 /// The same for joints tied by mimics, by Gauss's elimination in A_r: coordinates.
 std::vector<Movement> free_reduced_movements(const model::Tree& tree,
                                              const std::vector<Real>& armature) {
-  const auto n = static_cast<std::size_t>(tree.dof());
+  const auto n = to_index(tree.dof());
   std::vector<Real> a = reduced_mass_matrix(tree);
   std::vector<Real> diagonal;
   for (std::size_t k = 0; k < n; ++k) {
@@ -371,12 +368,11 @@ std::vector<Warning> joints_without_inertia(const model::Tree& tree,
 }
 
 std::vector<Warning> joints_without_inertia(const model::Tree& tree) {
-  return joints_without_inertia(tree,
-                                std::vector<Real>(static_cast<std::size_t>(tree.dof()), Real(0)));
+  return joints_without_inertia(tree, std::vector<Real>(to_index(tree.dof()), Real(0)));
 }
 
 std::vector<Warning> joints_without_inertia(const model::Scene& scene) {
-  std::vector<Real> armature(static_cast<std::size_t>(scene.tree.dof()), Real(0));
+  std::vector<Real> armature(to_index(scene.tree.dof()), Real(0));
   for (const model::Armature& added : scene.armatures) {
     armature[to_index(added.joint)] += added.inertia;
   }

@@ -162,8 +162,7 @@ const std::vector<KnownRow>& known_rows() {
 /// unknown elements, and those of namespaces, belong to other programs.
 void vet_element(const Part& part, std::vector<Warning>& findings) {
   const Element& element = part.element;
-  const auto row = std::ranges::find_if(
-      known_rows(), [&](const KnownRow& r) { return r.element == element.name; });
+  const auto row = std::ranges::find(known_rows(), element.name, &KnownRow::element);
   if (row == known_rows().end()) {
     return;
   }

@@ -7,6 +7,7 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::description {
 
@@ -52,8 +53,7 @@ std::string_view word_behind_dash(std::string_view line) {
 
 std::string yaml_message(const std::string& text, const Place& where, const std::string& problem) {
   const std::string_view line = line_of(text, where.line);
-  const std::size_t at =
-      std::min(static_cast<std::size_t>(std::max(where.column - 1, 0)), line.size());
+  const std::size_t at = std::min(to_index(std::max(where.column - 1, 0)), line.size());
   if (contains(problem, "tab character") || (at < line.size() && line[at] == '\t')) {
     return "line is indented by a tab; expected spaces";
   }

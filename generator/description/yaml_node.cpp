@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/transformed.hpp"
 #include "description/yaml_hints.hpp"
 
 namespace treedyn::description {
@@ -281,10 +282,8 @@ class NodeBuilder {
   }
 
   void refuse_duplicate_keys(const Node& mapping) const {
-    std::vector<const Node*> sorted;
-    for (const Node& item : mapping.items) {
-      sorted.push_back(&item);
-    }
+    std::vector<const Node*> sorted =
+        transformed(mapping.items, [](const Node& item) { return &item; });
     std::ranges::stable_sort(
         sorted, [](const Node* a, const Node* b) { return a->key.text < b->key.text; });
     const auto twice = std::ranges::adjacent_find(

@@ -114,9 +114,8 @@ std::unique_ptr<simulation::Dynamics> compiled_dynamics(const model::Scene& scen
                  {"-std=c++11", "-O2", "-shared", "-fPIC", path("simulate.cpp"),
                   path((std::string(kName) + ".cpp").c_str()), "-o", path("scene.so")});
   if (!succeeds(command, path("log"))) {
-    throw InputError({},
-                     "--compiled: the generated functions do not compile; expected a C++11 "
-                     "compiler");
+    throw InputError(
+        {}, "--compiled: the generated functions do not compile; expected a C++11 compiler");
   }
   return std::make_unique<CompiledDynamics>(path("scene.so"), geometry);
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "formulate/scene_steps.hpp"
 #include "program/interpret.hpp"
 #include "simulation/column_names.hpp"
@@ -68,13 +69,13 @@ class Run {
 void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
 
 void Run::place(long k, const Values& q, const Values& qd, int state) {
-  const formulate::PhaseState& now = states_[static_cast<std::size_t>(state)];
+  const formulate::PhaseState& now = states_[to_index(state)];
   simulator_.place(time(k), vector_of(q), vector_of(qd), now.phase, now.active);
 }
 
 /// Of all constraints; zero where they do not act.
 std::vector<double> Run::reactions(int state) const {
-  const std::vector<int>& active = states_[static_cast<std::size_t>(state)].active;
+  const std::vector<int>& active = states_[to_index(state)].active;
   std::vector<double> result;
   std::size_t row = 0;
   for (std::size_t c = 0; c < scene_.constraints.size(); ++c) {
@@ -93,8 +94,7 @@ void Run::note_status(int status, double time) {
     if ((status & bit) == 0) {
       continue;
     }
-    const auto same =
-        std::ranges::find_if(statuses_, [bit](const StatusRecord& s) { return s.bit == bit; });
+    const auto same = std::ranges::find(statuses_, bit, &StatusRecord::bit);
     if (same == statuses_.end()) {
       statuses_.push_back({bit, 1, time});
     } else {
@@ -112,9 +112,8 @@ bool Run::was_struck() const {
                         (event.rest && !event.rest->impact.empty()));
     }
   }
-  return std::ranges::any_of(step_.events(), [&](const SteppedEvent& event) {
-    return strikes[static_cast<std::size_t>(event.number)];
-  });
+  return std::ranges::any_of(
+      step_.events(), [&](const SteppedEvent& event) { return strikes[to_index(event.number)]; });
 }
 
 /// By the names of what happened, and of the state at rest that no phase of the scene is.
@@ -127,15 +126,15 @@ void Run::note_events(double time, int before, const Values& qd_before) {
   }
   std::string name;
   for (const SteppedEvent& event : step_.events()) {
-    name += (name.empty() ? "" : ", ") + names[static_cast<std::size_t>(event.number)];
+    name += (name.empty() ? "" : ", ") + names[to_index(event.number)];
   }
   name = name.empty() ? "change of phase" : name;
-  const formulate::PhaseState& now = states_[static_cast<std::size_t>(state())];
-  if (static_cast<std::size_t>(state()) >= scene_.phases.size()) {
+  const formulate::PhaseState& now = states_[to_index(state())];
+  if (to_index(state()) >= scene_.phases.size()) {
     name += fmt::format(" ({})", now.identifier);
   }
   simulator_.note({time,
-                   states_[static_cast<std::size_t>(before)].phase,
+                   states_[to_index(before)].phase,
                    name,
                    now.phase,
                    vector_of(step_.at("q")),
@@ -185,8 +184,7 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
       break;
     }
     note_status(status, time(k));
-    steps_[step_.has("phase") ? static_cast<std::size_t>(before) : 0] +=
-        {1, step_.repeated(), step_.repeated()};
+    steps_[step_.has("phase") ? to_index(before) : 0] += {1, step_.repeated(), step_.repeated()};
     const Vector next = vector_of(step_.at("q"));
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
       std::vector<double> last(q.begin(), q.end());

@@ -122,9 +122,8 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
   command.insert(command.end(), {"-std=c++11", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
                                  path("adapter.cpp"), path(name + ".cpp"), "-o", path("step.so")});
   if (!succeeds(command, path("log"))) {
-    throw InputError({},
-                     "--as-generated: the generated step does not compile; expected a C++11 "
-                     "compiler");
+    throw InputError(
+        {}, "--as-generated: the generated step does not compile; expected a C++11 compiler");
   }
   library_ = std::make_unique<Library>(path("step.so"));
   for (const program::Array& array : stepper_.signature.arrays()) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/transformed.hpp"
 #include "engine/engine.hpp"
 #include "formulate/functions.hpp"
 #include "model/force_laws.hpp"
@@ -30,13 +31,11 @@ program::Function function_of(const model::Scene& scene, const std::string& name
 
 program::Function combined(const model::Scene& scene, const std::vector<std::string>& names,
                            const std::vector<std::string>& inputs) {
-  std::vector<program::Function> functions;
-  std::ranges::transform(names, std::back_inserter(functions),
-                         [&](const std::string& name) { return function_of(scene, name); });
-  std::vector<program::Array> arrays;
-  for (const std::string& input : inputs) {
-    arrays.push_back({input, scene.tree.dof(), ""});
-  }
+  const std::vector<program::Function> functions =
+      transformed(names, [&](const std::string& name) { return function_of(scene, name); });
+  const std::vector<program::Array> arrays = transformed(inputs, [&](const std::string& input) {
+    return program::Array{input, scene.tree.dof(), ""};
+  });
   return program::combine(functions, arrays);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "emit/layout.hpp"
 #include "emit/operation_text.hpp"
 #include "emit/sincos.hpp"
@@ -70,8 +71,7 @@ bool Writer::is_of_scalars(const Statement& statement) const {
   statements_.visit_atoms(statement, [&](Ref value) {
     const program::Node& node = graph_.node(value);
     const bool is_input = node.kind == Kind::kInput;
-    const std::string& number =
-        is_input ? function_.signature.inputs[static_cast<std::size_t>(node.a)].number : "";
+    const std::string& number = is_input ? function_.signature.inputs[to_index(node.a)].number : "";
     result = result && (is_input ? number.empty() && target_.number != "Scalar"
                                  : node.kind == Kind::kConstant);
   });
@@ -87,7 +87,7 @@ std::string Writer::right_side(const Statement& statement) const {
     return literal(0, target_.scalar);
   }
   if (statement.copy_of >= 0) {
-    const Ref original = function_.outputs[static_cast<std::size_t>(statement.copy_of)];
+    const Ref original = function_.outputs[to_index(statement.copy_of)];
     return fmt::format("{}{}", original == value ? "" : "-",
                        statements_.element(statement.copy_of));
   }
@@ -179,7 +179,7 @@ void Writer::note_arrays(const Statement& statement, Part& part) const {
   }
   statements_.visit_atoms(statement, [&](Ref value) {
     if (graph_.node(value).kind == Kind::kInput) {
-      part.uses[static_cast<std::size_t>(graph_.node(value).a)] = true;
+      part.uses[to_index(graph_.node(value).a)] = true;
     }
   });
 }

@@ -412,9 +412,7 @@ bool Translator::frame(const std::string& line, bool& is_local, Lines& result) c
 std::string in_plain_words(std::string text, const std::string& type) {
   text = without_noexcept(std::move(text));
   text = replaced(
-      text,
-      "template <class Number>\nstruct SineCosine {\n  Number sine;\n  Number "
-      "cosine;\n};\n",
+      text, "template <class Number>\nstruct SineCosine {\n  Number sine;\n  Number cosine;\n};\n",
       fmt::format("typedef struct {{\n  {0} sine;\n  {0} cosine;\n}} SineCosine;\n", type));
   text = replaced(text, fmt::format("SineCosine<{}>", type), "SineCosine");
   const std::size_t other = text.find("/// For other types that stand for Scalar");

@@ -175,19 +175,18 @@ std::string events_doc(const program::Stepper& stepper) {
     return stepper.switches() ? wrapped(phases_text(stepper), "/// ") : "";
   }
   const std::string where =
-      stepper.cuts == 0
-          ? "Events are taken where the step ends, up to a step late: behind an event the error is "
-            "that of order 1, whatever the method."
-          : fmt::format(
-                "Events are taken where they happen: {} shorter steps find the place, or "
-                "{}, and the rest of the step is one in the next phase.",
-                stepper.cuts, stepper.cuts + 1);
-  return result + wrapped(where +
-                              fmt::format(" {} events of a step, and times that they wait for, at "
-                                          "most.",
-                                          stepper.events) +
-                              (stepper.switches() ? " " + phases_text(stepper) : ""),
-                          "/// ");
+      stepper.cuts == 0 ? "Events are taken where the step ends, up to a step late: behind an "
+                          "event the error is that of order 1, whatever the method."
+                        : fmt::format(
+                              "Events are taken where they happen: {} shorter steps find the "
+                              "place, or {}, and the rest of the step is one in the next phase.",
+                              stepper.cuts, stepper.cuts + 1);
+  return result +
+         wrapped(where +
+                     fmt::format(" {} events of a step, and times that they wait for, at most.",
+                                 stepper.events) +
+                     (stepper.switches() ? " " + phases_text(stepper) : ""),
+                 "/// ");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "common/transformed.hpp"
 #include "emit/doc.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
@@ -96,11 +97,7 @@ std::vector<std::string> joint_identifiers(const model::Tree& tree) {
 }
 
 std::vector<std::string> point_identifiers(const std::vector<model::Point>& points) {
-  std::vector<std::string> result;
-  for (const model::Point& point : points) {
-    result.push_back(point.identifier);
-  }
-  return result;
+  return transformed(points, &model::Point::identifier);
 }
 
 std::string scalar_declaration(const Target& target) {

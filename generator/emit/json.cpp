@@ -1,12 +1,11 @@
 #include "emit/json.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 
 #include <fmt/format.h>
 
+#include "common/transformed.hpp"
 #include "common/utf8.hpp"
 
 namespace treedyn::emit {
@@ -51,9 +50,7 @@ std::string json_string(std::string_view text) {
 }
 
 std::vector<std::string> json_strings(const std::vector<std::string>& texts) {
-  std::vector<std::string> result;
-  std::ranges::transform(texts, std::back_inserter(result), json_string);
-  return result;
+  return transformed(texts, json_string);
 }
 
 std::string json_number(double value) {

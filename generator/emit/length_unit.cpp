@@ -63,11 +63,10 @@ std::string unit_comment(const program::Function& function, const model::Tree& t
                              joint_name(tree, link.father), joint_name(tree, function.unit.link)),
                  "// ") +
          fmt::format("//   L = {} m\n", literal(function.unit.metres, Scalar::kDouble)) +
-         wrapped(
-             fmt::format("Names: {}{}all others are of values in SI units; numbered ones (t_) by "
-                         "what they are made of. Arguments and results are in SI units.",
-                         named, named.empty() ? "" : "; "),
-             "// ");
+         wrapped(fmt::format("Names: {}{}all others are of values in SI units; numbered ones (t_) "
+                             "by what they are made of. Arguments and results are in SI units.",
+                             named, named.empty() ? "" : "; "),
+                 "// ");
 }
 
 std::string unit_json(const program::Function& function) {

@@ -1,10 +1,8 @@
 #include "emit/manifest.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "emit/header.hpp"
 #include "emit/json.hpp"
 #include "emit/length_unit.hpp"
@@ -38,13 +36,12 @@ std::string joints_json(const model::Tree& tree) {
 std::string mimics_json(const model::Tree& tree) {
   std::vector<std::string> mimics;
   for (int i = 0; i < tree.size(); ++i) {
-    const model::Drive& drive = tree.drives[static_cast<std::size_t>(i)];
+    const model::Drive& drive = tree.drives[to_index(i)];
     if (tree.is_mimic(i)) {
-      mimics.push_back(
-          json_object({{"name", json_string(tree.links[static_cast<std::size_t>(i)].joint.name)},
-                       {"index", std::to_string(drive.coordinate)},
-                       {"multiplier", decimal(drive.multiplier)},
-                       {"offset", decimal(drive.offset)}}));
+      mimics.push_back(json_object({{"name", json_string(tree.links[to_index(i)].joint.name)},
+                                    {"index", std::to_string(drive.coordinate)},
+                                    {"multiplier", decimal(drive.multiplier)},
+                                    {"offset", decimal(drive.offset)}}));
     }
   }
   return mimics.empty() ? "" : fmt::format(",\n  \"mimics\": {}", json_lines(mimics, 4));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/identifier.hpp"
+#include "common/transformed.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
 #include "model/scene_number.hpp"
@@ -81,10 +81,8 @@ std::string components(const char* word, const std::vector<int>& which,
   if (which.size() == names.size()) {
     return word;
   }
-  std::vector<std::string> chosen;
-  for (const int k : which) {
-    chosen.emplace_back(names[static_cast<std::size_t>(k)]);
-  }
+  const std::vector<std::string> chosen =
+      transformed<std::string>(which, [&](int k) { return names[static_cast<std::size_t>(k)]; });
   return fmt::format("{} {}", word, fmt::join(chosen, " "));
 }
 
@@ -134,8 +132,7 @@ std::string links_text(const std::vector<int>& links, const Vocabulary& words) {
     return fmt::format("{} to {} ({} links)", name(links.front()), name(links.back()),
                        links.size());
   }
-  std::vector<std::string> names;
-  std::ranges::transform(links, std::back_inserter(names), name);
+  const std::vector<std::string> names = transformed(links, name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -241,9 +238,7 @@ const std::string* ConstantNames::find(const Real& constant) const {
 }
 
 std::vector<std::string> ConstantNames::names() const {
-  std::vector<std::string> result;
-  std::ranges::transform(entries_, std::back_inserter(result), &Entry::name);
-  return result;
+  return transformed(entries_, &Entry::name);
 }
 
 std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::emit {
 
@@ -127,9 +128,8 @@ std::string element_text(const program::Array& array, int element) {
     return array.lane < 0 ? fmt::format("{}[{}]", array.name, element)
                           : fmt::format("{}[{}][{}]", array.name, element, array.lane);
   }
-  return array.fields.empty()
-             ? fmt::format("{}.value[{}]", array.name, element)
-             : fmt::format("{}.{}", array.name, array.fields[static_cast<std::size_t>(element)]);
+  return array.fields.empty() ? fmt::format("{}.value[{}]", array.name, element)
+                              : fmt::format("{}.{}", array.name, array.fields[to_index(element)]);
 }
 
 Vocabulary vocabulary(const model::Tree& tree) {
@@ -141,7 +141,7 @@ Vocabulary vocabulary(const model::Tree& tree) {
   }
   std::vector<std::string> joints;
   for (const int link : tree.coordinates) {
-    joints.push_back(tree.links[static_cast<std::size_t>(link)].joint.identifier);
+    joints.push_back(tree.links[to_index(link)].joint.identifier);
   }
   words.bodies = shortened(bodies, kLongestBody);
   words.joints = shortened(joints, kLongestJoint);
@@ -210,7 +210,7 @@ void LocalNames::name_angles(const std::vector<Ref>& operations) {
 std::string LocalNames::element_stem(std::size_t output) const {
   std::size_t element = output;
   for (const program::Array& array : function_.signature.outputs) {
-    const auto size = static_cast<std::size_t>(array.size);
+    const auto size = to_index(array.size);
     if (element < size) {
       return array.fields.empty() ? fmt::format("{}_{}", identifier_part(array.name), element)
                                   : array.fields[element];
@@ -259,13 +259,13 @@ std::string LocalNames::trigonometric(Ref value) const {
   const program::Node& angle = function_.graph.node(node.a);
   const char* letter = node.kind == Kind::kSin ? "s" : "c";
   if (angle.kind == Kind::kInput) {
-    const program::Array& array = function_.signature.inputs[static_cast<std::size_t>(angle.a)];
+    const program::Array& array = function_.signature.inputs[to_index(angle.a)];
     const std::vector<std::string> time = {array.name};
     const std::vector<std::string>& elements = !array.fields.empty() ? array.fields
                                                : array.name == "t"   ? time
                                                                      : words_.joints;
-    if (static_cast<std::size_t>(angle.b) < elements.size()) {
-      return fmt::format("{}_{}", letter, elements[static_cast<std::size_t>(angle.b)]);
+    if (to_index(angle.b) < elements.size()) {
+      return fmt::format("{}_{}", letter, elements[to_index(angle.b)]);
     }
   }
   if (const std::string joints = this->angle(std::abs(node.a)); !joints.empty()) {
@@ -273,7 +273,7 @@ std::string LocalNames::trigonometric(Ref value) const {
   }
   const int body = function_.graph.hint(value).body;
   if (function_.graph.hint(value).symbol == nullptr && body >= 0) {
-    return fmt::format("{}_{}", letter, words_.bodies[static_cast<std::size_t>(body)]);
+    return fmt::format("{}_{}", letter, words_.bodies[to_index(body)]);
   }
   return {};
 }
@@ -306,7 +306,7 @@ std::string LocalNames::angle(Ref value) const {
     const std::string minus = sign < 0       ? (name.empty() ? "minus_" : "_minus_")
                               : name.empty() ? ""
                                              : "_";
-    const auto k = static_cast<std::size_t>(element);
+    const auto k = to_index(element);
     name += minus + (k < words_.joints.size() ? words_.joints[k] : fmt::format("q{}", element));
     short_name += fmt::format("{}q{}", minus, element);
   }
@@ -322,7 +322,7 @@ std::string LocalNames::hinted(Ref value) const {
   }
   std::string name = (is_opposite ? "neg_" : "") + std::string(hint.symbol);
   if (hint.body >= 0) {
-    name += "_" + words_.bodies[static_cast<std::size_t>(hint.body)];
+    name += "_" + words_.bodies[to_index(hint.body)];
   }
   if (hint.component != nullptr) {
     name += fmt::format("_{}", hint.component);
@@ -345,8 +345,7 @@ void LocalNames::claim(Ref value, const std::string& name) {
 
 std::string LocalNames::body_stem(Ref value) const {
   const int body = function_.graph.hint(value).body;
-  return body < 0 ? std::string("t")
-                  : fmt::format("t_{}", words_.bodies[static_cast<std::size_t>(body)]);
+  return body < 0 ? std::string("t") : fmt::format("t_{}", words_.bodies[to_index(body)]);
 }
 
 void LocalNames::assign(Ref value) {

@@ -1,10 +1,10 @@
 #include "emit/parts.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 
+#include "common/transformed.hpp"
 #include "emit/taken_names.hpp"
 
 namespace treedyn::emit {
@@ -29,9 +29,7 @@ std::vector<std::string> chosen(const std::vector<std::string>& values,
 }
 
 std::vector<std::string> names_of_arrays(const program::Signature& signature) {
-  std::vector<std::string> names;
-  std::ranges::transform(signature.arrays(), std::back_inserter(names), &program::Array::name);
-  return names;
+  return transformed(signature.arrays(), &program::Array::name);
 }
 
 std::string part_head(const std::string& name) { return "[[gnu::noinline]] void " + name; }

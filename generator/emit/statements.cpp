@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "common/index.hpp"
 #include "emit/operation_text.hpp"
 
 namespace treedyn::emit {
@@ -195,9 +196,8 @@ void Statements::list_definition(Ref value, std::vector<bool>& stated) {
 void Statements::list_stores(Ref value) {
   int first = -1;
   for (const int output : outputs_of_[node_index(value)]) {
-    statements_.push_back({.value = function_.outputs[static_cast<std::size_t>(output)],
-                           .output = output,
-                           .copy_of = first});
+    statements_.push_back(
+        {.value = function_.outputs[to_index(output)], .output = output, .copy_of = first});
     first = first < 0 ? output : first;
   }
 }
@@ -404,7 +404,7 @@ std::string Statements::element(int output) const {
 }
 
 std::string Statements::input(const program::Node& node) const {
-  return element_text(function_.signature.inputs[static_cast<std::size_t>(node.a)], node.b);
+  return element_text(function_.signature.inputs[to_index(node.a)], node.b);
 }
 
 std::string Statements::atom(Ref value) const {

@@ -7,6 +7,7 @@
 
 #include "block/evaluate.hpp"
 #include "block/plan.hpp"
+#include "common/index.hpp"
 #include "engine/engine.hpp"
 #include "engine/inertia_factor.hpp"
 #include "engine/outputs.hpp"
@@ -67,7 +68,7 @@ class Engine<Scalar>::Implementation {
     for (const equations::Equation* function : functions()) {
       largest = std::max(largest, function->outputs.front().size(links(), points()));
     }
-    return static_cast<std::size_t>(largest);
+    return to_index(largest);
   }
 
   void set_inputs(const equations::Equation& function,
@@ -85,7 +86,7 @@ class Engine<Scalar>::Implementation {
     for (std::size_t p = 0; p < points.size(); ++p) {
       const auto& [link, at, own] = points[p];
       const equations::Matrix3<Scalar> R =
-          link == model::kGround ? own : leaves_.poses().R[static_cast<std::size_t>(link)] * own;
+          link == model::kGround ? own : leaves_.poses().R[to_index(link)] * own;
       std::copy_n(R.data(), 9, result_.data() + 9 * p);
     }
     return {result_.data(), 9 * points.size()};
@@ -95,13 +96,13 @@ class Engine<Scalar>::Implementation {
   std::span<const Scalar> solved(const Output& forces, std::span<const Scalar> tau) {
     const std::span<const Scalar> h = reduced(forces);
     for (int i = 0; i < dof(); ++i) {
-      solution_(i) = tau[static_cast<std::size_t>(i)] - h[static_cast<std::size_t>(i)];
+      solution_(i) = tau[to_index(i)] - h[to_index(i)];
     }
     evaluation_.run(inertia_.steps);
     factor_ = Eigen::Map<const Matrix>(reduced(inertia_).data(), dof(), dof());
     factorize(factor_);
     solve_factorized(factor_, solution_);
-    return {solution_.data(), static_cast<std::size_t>(dof())};
+    return {solution_.data(), to_index(dof())};
   }
 
   /// Of the terms of `output`. \pre the leaves are set
@@ -110,7 +111,7 @@ class Engine<Scalar>::Implementation {
     scales.run(evaluation_, output.steps);
     const std::vector<double> full = scales.values(output.step, output.shape);
     std::vector<double> result(full.size());
-    const auto cols = static_cast<std::size_t>(output.cols.count(links(), points()));
+    const auto cols = to_index(output.cols.count(links(), points()));
     const std::span<const double> values = sizes_.reduce(output.reduction, full, cols, result);
     return {values.begin(), values.end()};
   }
@@ -120,7 +121,7 @@ class Engine<Scalar>::Implementation {
   std::vector<double> sizes_of_solution(const std::vector<double>& forces,
                                         std::span<const Scalar> tau) {
     const std::vector<double> A = sizes_of_terms(inertia_);
-    const auto n = static_cast<std::size_t>(dof());
+    const auto n = to_index(dof());
     const Vector qdd = solution_;
     std::vector<double> result(n, 0);
     for (std::size_t j = 0; j < n; ++j) {
@@ -141,10 +142,9 @@ class Engine<Scalar>::Implementation {
   std::span<const Scalar> reduced(const Output& output) {
     const int rows = output.rows.count(links(), points());
     const int cols = output.cols.count(links(), points());
-    const std::span<Scalar> full(full_.data(), static_cast<std::size_t>(rows * cols));
+    const std::span<Scalar> full(full_.data(), to_index(rows * cols));
     evaluation_.write(output.step, output.shape, full);
-    return leaves_.coordinates().reduce(output.reduction, full, static_cast<std::size_t>(cols),
-                                        result_);
+    return leaves_.coordinates().reduce(output.reduction, full, to_index(cols), result_);
   }
 
   Coordinates<double> sizes_;  ///< with the magnitudes of the multipliers

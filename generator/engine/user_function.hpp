@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "block/evaluate.hpp"
+#include "common/transformed.hpp"
 #include "engine/scales.hpp"
 #include "engine/tree_leaves.hpp"
 #include "equations/number_of_tree.hpp"
@@ -70,13 +70,10 @@ class UserFunction {
     std::copy_n(values.begin(), target.size(), target.begin());
   }
   void set_constants() {
-    std::vector<Scalar> masses;
-    for (const auto& link : leaves_.constants().links) {
-      masses.push_back(link.mass);
-    }
+    const std::vector<Scalar> masses =
+        transformed(leaves_.constants().links, [&](const auto& link) { return link.mass; });
     for (const auto& [leaf, values] : equation_.constants) {
-      std::vector<Scalar> numbers;
-      std::ranges::transform(values, std::back_inserter(numbers), Leaves::convert);
+      const std::vector<Scalar> numbers = transformed(values, Leaves::convert);
       write(leaf, numbers);
     }
     for (const auto& [leaf, divisor] : equation_.reciprocals) {

@@ -11,6 +11,7 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 #include "equations/energy.hpp"
 #include "equations/kinematics.hpp"
 #include "equations/number_of_tree.hpp"
@@ -202,9 +203,8 @@ int Reading::link(const std::string& name) const {
 
 Expression Reading::at(const std::string& name, int i) {
   std::vector<Real> values(size());
-  values[static_cast<std::size_t>(i)] = 1;
-  const bool prismatic =
-      tree_.links[static_cast<std::size_t>(i)].joint.type == model::JointType::kPrismatic;
+  values[to_index(i)] = 1;
+  const bool prismatic = tree_.links[to_index(i)].joint.type == model::JointType::kPrismatic;
   Units units;
   units[prismatic ? 1 : 0][0] = Unit{};
   units_.define(name, units);
@@ -262,7 +262,7 @@ Expression Reading::of(const std::string& function, const std::string& argument)
   for (int k = 0; k < tree_.size(); ++k) {
     const bool one =
         function == "under" ? model::reaches(tree_, k, i) : model::reaches(tree_, i, k);
-    values[static_cast<std::size_t>(k)] = one ? 1 : 0;
+    values[to_index(k)] = one ? 1 : 0;
   }
   return constant(name, block::Structure::kDiagonal, {kLinks, kLinks}, values);
 }

@@ -40,8 +40,7 @@ namespace {
 
 auto found(std::string_view name) {
   const std::vector<SceneFunctionInfo>& infos = scene_function_infos();
-  return std::ranges::find_if(infos,
-                              [&](const SceneFunctionInfo& info) { return info.name == name; });
+  return std::ranges::find(infos, name, &SceneFunctionInfo::name);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/transformed.hpp"
 #include "equations/equations.hpp"
 #include "equations/symbols.hpp"
 
@@ -63,16 +64,10 @@ const std::vector<Row>& rows() {
 }  // namespace
 
 std::optional<Expression> find_name(std::string_view name) {
-  const auto found = std::ranges::find_if(rows(), [&](const Row& row) { return row.name == name; });
+  const auto found = std::ranges::find(rows(), name, &Row::name);
   return found == rows().end() ? std::nullopt : std::optional(found->expression);
 }
 
-std::vector<std::string_view> known_names() {
-  std::vector<std::string_view> result;
-  for (const Row& row : rows()) {
-    result.push_back(row.name);
-  }
-  return result;
-}
+std::vector<std::string_view> known_names() { return transformed(rows(), &Row::name); }
 
 }  // namespace treedyn::equations

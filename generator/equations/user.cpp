@@ -9,6 +9,7 @@
 #include "block/print.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/transformed.hpp"
 #include "equations/reading.hpp"
 #include "equations/symbol_names.hpp"
 #include "equations/text.hpp"
@@ -35,11 +36,7 @@ class Reader {
 
   std::vector<UserEquation> run() {
     check_names();
-    std::vector<UserEquation> result;
-    for (const model::EquationText& text : texts_) {
-      result.push_back(read(text));
-    }
-    return result;
+    return transformed(texts_, [&](const model::EquationText& text) { return read(text); });
   }
 
  private:

@@ -9,6 +9,7 @@
 #include "block/pattern.hpp"
 #include "block/plan.hpp"
 #include "block/print.hpp"
+#include "common/index.hpp"
 #include "equations/kinematics.hpp"
 #include "equations/symbols.hpp"
 #include "equations/table.hpp"
@@ -58,10 +59,9 @@ std::string links_text(const model::Tree& tree) {
   for (const model::Link& link : tree.links) {
     const bool ground = link.father == model::kGround;
     const bool revolute = link.joint.type == model::JointType::kRevolute;
-    result += fmt::format(
-        "  {}  {}  {}  father {}\n", &link - tree.links.data(), link.joint.identifier,
-        revolute ? "revolute" : "prismatic",
-        ground ? "ground" : tree.links[static_cast<std::size_t>(link.father)].joint.identifier);
+    result += fmt::format("  {}  {}  {}  father {}\n", &link - tree.links.data(),
+                          link.joint.identifier, revolute ? "revolute" : "prismatic",
+                          ground ? "ground" : tree.links[to_index(link.father)].joint.identifier);
   }
   return result;
 }

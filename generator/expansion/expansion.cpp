@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "block/evaluate.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::expansion {
 namespace {
@@ -84,8 +85,7 @@ Entries Expansion::expand(const block::Expression& expression) const {
   Entries entries;
   entries.rows = blocks.rows() * expression.shape().rows.size;
   entries.cols = blocks.cols() * expression.shape().cols.size;
-  entries.values.resize(static_cast<std::size_t>(entries.rows) *
-                        static_cast<std::size_t>(entries.cols));
+  entries.values.resize(to_index(entries.rows) * to_index(entries.cols));
   evaluation.write(result, expression.shape(), entries.values);
   return entries;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "block/block.hpp"
+#include "common/index.hpp"
 #include "equations/kinematics.hpp"
 #include "expansion/expanded.hpp"
 #include "expansion/ring.hpp"
@@ -18,8 +19,7 @@ struct Entries {
   int cols = 0;
   std::vector<Expanded> values;
   [[nodiscard]] const Expanded& at(int i, int j) const {
-    return values[static_cast<std::size_t>(i) * static_cast<std::size_t>(cols) +
-                  static_cast<std::size_t>(j)];
+    return values[to_index(i) * to_index(cols) + to_index(j)];
   }
 };
 

@@ -87,8 +87,7 @@ GiNaC::ex exact_decimal(std::string_view text) {
 std::span<const FunctionRow> functions() { return kFunctions; }
 
 const FunctionRow* find_function(std::string_view name) {
-  const auto* const row =
-      std::ranges::find_if(kFunctions, [name](const FunctionRow& f) { return f.name == name; });
+  const auto* const row = std::ranges::find(kFunctions, name, &FunctionRow::name);
   return row == kFunctions.end() ? nullptr : row;
 }
 

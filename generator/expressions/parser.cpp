@@ -6,6 +6,7 @@
 
 #include "common/closest.hpp"
 #include "common/grammar.hpp"
+#include "common/index.hpp"
 #include "expressions/exact.hpp"
 
 namespace treedyn::expressions {
@@ -36,8 +37,7 @@ class Parser : public Grammar<Exact> {
     check_size(start, size);
     if (GiNaC::is_a<GiNaC::numeric>(value)) {
       const auto& x = GiNaC::ex_to<GiNaC::numeric>(value);
-      if (static_cast<std::size_t>(std::max(x.numer().int_length(), x.denom().int_length())) >
-          kMaxBits) {
+      if (to_index(std::max(x.numer().int_length(), x.denom().int_length())) > kMaxBits) {
         fail(start, "exact value has too many digits; expected at most 2400");
       }
     }
@@ -103,7 +103,7 @@ class Parser : public Grammar<Exact> {
     if (e.denom() > 2) {
       fail(place, "exponent of a variable is no multiple of 1/2; expected one such as -1, 1/2, 2");
     }
-    return static_cast<std::size_t>(abs(e.numer()).to_int()) + 1;
+    return to_index(abs(e.numer()).to_int()) + 1;
   }
 
   Exact number(std::string_view written, const Real& value, std::size_t offset) override {

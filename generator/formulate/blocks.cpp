@@ -109,8 +109,7 @@ Vec3 FrameChanges::in(const Parts& parts, int frame) const {
 void FrameChanges::add(Parts& a, const Parts& b, Expr factor) const {
   for (const Part& part : b) {
     const Vec3 value = factor * part.value;
-    const auto place =
-        std::ranges::find_if(a, [&](const Part& other) { return other.frame == part.frame; });
+    const auto place = std::ranges::find(a, part.frame, &Part::frame);
     if (is_zero(value)) {
       continue;
     }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "common/index.hpp"
 #include "formulate/link_kinematics.hpp"
 
 namespace treedyn::formulate {
@@ -52,9 +53,7 @@ class FrameChanges {
   /// The part that stands deepest goes to the father, where it meets others, until all are above
   /// `frame`.
   [[nodiscard]] Parts risen(Parts parts, int frame) const;
-  [[nodiscard]] int depth(int i) const {
-    return i == kBase ? 0 : depth_[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] int depth(int i) const { return i == kBase ? 0 : depth_[to_index(i)]; }
 
   const Kinematics& kinematics_;
   Way way_;

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/joint_numbers.hpp"

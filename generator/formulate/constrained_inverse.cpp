@@ -1,6 +1,7 @@
 #include "formulate/constrained_inverse.hpp"
 
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/scene_rows.hpp"
@@ -40,11 +41,8 @@ std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
 /// J of the active constraints, row by row.
 std::vector<Row> active_rows(const Task& task) {
   model::Scene scene = *task.options.scene;
-  std::vector<model::Constraint> active;
-  for (const int c : task.options.active) {
-    active.push_back(scene.constraints[to_index(c)]);
-  }
-  scene.constraints = active;
+  scene.constraints =
+      transformed(task.options.active, [&](int c) { return scene.constraints[to_index(c)]; });
   return base_rows(scene, SceneFrame(task, false), task.kinematics.graph());
 }
 
@@ -103,10 +101,8 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
   for (const int u : passive) {
     result.push_back(h[to_index(u)]);
   }
-  std::vector<Expr> lambda;
-  for (const Row& row : rows) {
-    lambda.push_back(reaction_of_row(row, passive, mu));
-  }
+  const std::vector<Expr> lambda =
+      transformed(rows, [&](const Row& row) { return reaction_of_row(row, passive, mu); });
   for (int i = 0; i < task.tree.dof(); ++i) {
     Expr tau = h[to_index(i)];
     for (std::size_t r = 0; r < rows.size(); ++r) {

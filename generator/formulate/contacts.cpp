@@ -1,6 +1,7 @@
 #include "formulate/contacts.hpp"
 
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "formulate/scene_frame.hpp"
 #include "model/force_laws.hpp"
 
@@ -9,7 +10,7 @@ namespace treedyn::formulate {
 namespace {
 
 const model::GroundContact& contact_of(const Task& task) {
-  return task.options.scene->contacts[static_cast<std::size_t>(task.options.contact)];
+  return task.options.scene->contacts[to_index(task.options.contact)];
 }
 
 Expr input(const Task& task, int array, int element) {
@@ -84,11 +85,9 @@ bool needs_power(const model::GroundContact& contact) {
 
 std::vector<Expr> contact_depths(const model::Scene& scene, const Task& task,
                                  const SceneForces& forces) {
-  std::vector<Expr> depths;
-  for (const model::GroundContact& c : scene.contacts) {
-    depths.push_back(depth_of(task, c.plane, forces.position(c.point)));
-  }
-  return depths;
+  return transformed(scene.contacts, [&](const model::GroundContact& c) {
+    return depth_of(task, c.plane, forces.position(c.point));
+  });
 }
 
 std::vector<Expr> build_contact_press(const Task& task) {
@@ -99,7 +98,7 @@ std::vector<Expr> build_contact_press(const Task& task) {
   std::vector<Expr> result = {law(task, forces, depth, slip, kForceArray + 1)};
   const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
   const SceneFrame frame(task, false);
-  const MotionMap map = frame.point(task.options.scene->points[static_cast<std::size_t>(c.point)]);
+  const MotionMap map = frame.point(task.options.scene->points[to_index(c.point)]);
   for (int i = 0; i < task.tree.dof(); ++i) {
     Expr sum = input(task, kForceArray, i);
     const auto column = map.columns.find(i);

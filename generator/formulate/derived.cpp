@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "derive/rate.hpp"
 #include "derive/words.hpp"
 #include "equations/table.hpp"
@@ -324,10 +325,8 @@ std::vector<program::Cost> costs_of_values(const model::Tree& tree,
 }
 
 Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
-  std::vector<std::string_view> inputs;
-  for (const equations::UserArgument& argument : function->equation.arguments) {
-    inputs.push_back(argument.name);
-  }
+  const std::vector<std::string_view> inputs =
+      transformed<std::string_view>(function->equation.arguments, &equations::UserArgument::name);
   const bool turns = takes_q(*function);  // else nothing is known of frames but the base's
   return {places_of(inputs),
           {.regrouping = function->regroups,

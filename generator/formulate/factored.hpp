@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/index.hpp"
 #include "formulate/derived.hpp"
 
 namespace treedyn::formulate {

@@ -1,6 +1,7 @@
 #include "formulate/formulate.hpp"
 
 #include "common/error.hpp"
+#include "common/transformed.hpp"
 #include "equations/table.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/functions.hpp"
@@ -12,11 +13,7 @@ namespace treedyn::formulate {
 
 const std::vector<std::string>& function_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const equations::Equation& function : equations::functions()) {
-      result.emplace_back(function.name);
-    }
-    return result;
+    return transformed<std::string>(equations::functions(), &equations::Equation::name);
   }();
   return names;
 }
@@ -25,12 +22,10 @@ program::Signature signature(const std::string& name, int dof, int points) {
   const equations::Equation* const function = equations::find_function(name);
   TREEDYN_EXPECT(function != nullptr);
   const auto arrays = [&](const std::vector<equations::Argument>& arguments) {
-    std::vector<program::Array> result;
-    for (const equations::Argument& argument : arguments) {
-      result.push_back(
-          {std::string(argument.name), argument.size(dof, points), std::string(argument.unit)});
-    }
-    return result;
+    return transformed(arguments, [&](const equations::Argument& argument) {
+      return program::Array{std::string(argument.name), argument.size(dof, points),
+                            std::string(argument.unit)};
+    });
   };
   return {name, std::string(function->number), std::string(function->brief),
           arrays(function->inputs), arrays(function->outputs)};

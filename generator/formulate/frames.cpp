@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "formulate/regrouping.hpp"
 
 namespace treedyn::formulate {
@@ -24,10 +25,8 @@ class Workbench {
 
  private:
   [[nodiscard]] std::size_t size() const { return tree_.links.size(); }
-  NormalLink& link(int i) { return tree_.links[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] const LinkVariant& choice(int i) const {
-    return variant_.links[static_cast<std::size_t>(i)];
-  }
+  NormalLink& link(int i) { return tree_.links[to_index(i)]; }
+  [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[to_index(i)]; }
 
   void turn_half(int i);
   void slide(int i, const Real& distance);
@@ -79,13 +78,13 @@ NormalTree at_joints(const model::Tree& tree, const Vector3& gravity) {
   result.gravity = gravity;
   std::vector<Matrix3> frame;  // normal frame -> original link frame
   for (int i = 0; i < tree.size(); ++i) {
-    const model::Link& source = tree.links[static_cast<std::size_t>(i)];
+    const model::Link& source = tree.links[to_index(i)];
     NormalLink made;
     made.father = source.father;
     made.revolute = source.joint.type == model::JointType::kRevolute;
     const Matrix3 p = frame_with_z(source.joint.axis);
     const bool root = source.father == model::kGround;
-    const Matrix3 father = root ? identity() : frame[static_cast<std::size_t>(source.father)];
+    const Matrix3 father = root ? identity() : frame[to_index(source.father)];
     made.rotation = clean(multiply(multiply(transpose(father), source.joint.rotation), p));
     made.offset = multiply_transposed(father, source.joint.offset);
     made.mass = source.inertia.mass;
@@ -94,7 +93,7 @@ NormalTree at_joints(const model::Tree& tree, const Vector3& gravity) {
     made.to_normal = transpose(p);
     frame.push_back(p);
     if (!root) {
-      result.links[static_cast<std::size_t>(source.father)].sons.push_back(i);
+      result.links[to_index(source.father)].sons.push_back(i);
     }
     result.links.push_back(made);
   }
@@ -339,10 +338,10 @@ NormalTree NormalForms::of(const Variant& variant) {
   NormalTree tree = placed(variant);
   if (variant.unit_length > 0) {
     lengths_ = lengths_ ? std::move(lengths_) : unit_lengths(model_);
-    scale_lengths(tree, (*lengths_)[static_cast<std::size_t>(variant.unit_length - 1)].metres);
+    scale_lengths(tree, (*lengths_)[to_index(variant.unit_length - 1)].metres);
   }
   for (int i = static_cast<int>(tree.links.size()) - 1; i >= 0; --i) {
-    regroup(tree, i, variant.links[static_cast<std::size_t>(i)]);
+    regroup(tree, i, variant.links[to_index(i)]);
   }
   clean_constants(tree);
   return tree;
@@ -374,9 +373,8 @@ UnitLengths unit_lengths(const model::Tree& tree) {
 }
 
 program::LengthUnit unit_of(const model::Tree& tree, const Variant& variant) {
-  return variant.unit_length == 0
-             ? program::LengthUnit{}
-             : unit_lengths(tree)[static_cast<std::size_t>(variant.unit_length - 1)];
+  return variant.unit_length == 0 ? program::LengthUnit{}
+                                  : unit_lengths(tree)[to_index(variant.unit_length - 1)];
 }
 
 namespace {

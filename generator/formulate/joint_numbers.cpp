@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "formulate/functions.hpp"
 
 namespace treedyn::formulate {
@@ -41,11 +42,8 @@ SparseRows sparse(const std::vector<Expr>& column) {
 }
 
 std::vector<Expr> column_of(const SparseRows& rows) {
-  std::vector<Expr> column;
-  for (const SparseRow& row : rows) {
-    column.push_back(row.empty() ? Expr() : row.begin()->second);
-  }
-  return column;
+  return transformed(
+      rows, [&](const SparseRow& row) { return row.empty() ? Expr() : row.begin()->second; });
 }
 
 Numbers::Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf,

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "common/transformed.hpp"
 #include "formulate/frames.hpp"
 #include "formulate/rotation.hpp"
 #include "formulate/spatial.hpp"
@@ -181,11 +182,7 @@ class Kinematics {
 
 template <class Of>
 auto Kinematics::of_peers(int i, Of of) const {
-  std::vector<decltype(of(i))> result;
-  for (const int peer : peers(i)) {
-    result.push_back(of(peer));
-  }
-  return result;
+  return transformed(peers(i), of);
 }
 
 }  // namespace treedyn::formulate

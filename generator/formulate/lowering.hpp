@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "common/index.hpp"
 #include "derive/forms.hpp"
 #include "formulate/blocks.hpp"
 #include "formulate/derived.hpp"
@@ -112,9 +113,7 @@ class Lowering {
   Mat3 turned_by_column(int i, const Vec3& omega, const Vec3& third, const Squares& father,
                         Vec3& alpha, Squares& squares) const;
 
-  [[nodiscard]] const Block& of(int id, int e) const {
-    return memo_[static_cast<std::size_t>(id)][static_cast<std::size_t>(e)];
-  }
+  [[nodiscard]] const Block& of(int id, int e) const { return memo_[to_index(id)][to_index(e)]; }
   [[nodiscard]] const Value& value(int id) const { return derivation_.values[id]; }
   [[nodiscard]] Block zero(const Value& v, int e) const;
   void add(const Value& v, Block& sum, const Block& x, Expr factor) const;

@@ -5,6 +5,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "equations/table.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/trunk.hpp"
@@ -103,7 +104,7 @@ Matrix3 pseudo_inertia(std::size_t row, std::size_t column) {
 
 /// Gives a link a unit of one parameter, which counts in the model's frame of the link.
 void add_unit(NormalLink& link, int parameter) {
-  const auto k = static_cast<std::size_t>(parameter);
+  const auto k = to_index(parameter);
   Vector3 moment{};
   Matrix3 pseudo{};
   if (k == 0) {
@@ -194,10 +195,8 @@ const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> table = [] {
     std::vector<Recipe> rows;
     for (const equations::Equation& function : equations::functions()) {
-      std::vector<std::string_view> inputs;
-      for (const equations::Argument& argument : function.inputs) {
-        inputs.push_back(argument.name);
-      }
+      const std::vector<std::string_view> inputs =
+          transformed(function.inputs, &equations::Argument::name);
       const auto freedom = freedoms().find(function.name);
       rows.push_back({places_of(inputs), freedom == freedoms().end() ? Freedom{} : freedom->second,
                       builder_of(function), std::string(function.name)});
@@ -208,8 +207,7 @@ const std::vector<Recipe>& recipes() {
 }
 
 const Recipe& recipe_of(const std::string& name) {
-  const auto found =
-      std::ranges::find_if(recipes(), [&](const Recipe& recipe) { return name == recipe.name; });
+  const auto found = std::ranges::find(recipes(), name, &Recipe::name);
   TREEDYN_EXPECT(found != recipes().end());
   return *found;
 }

@@ -6,6 +6,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "formulate/derived.hpp"
 #include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"
@@ -97,11 +98,7 @@ AppliedLoad SceneForces::load(const model::PointLaw& law) const {
 }
 
 std::vector<AppliedLoad> SceneForces::loads() const {
-  std::vector<AppliedLoad> result;
-  for (const model::PointLaw& law : scene_.point_laws) {
-    result.push_back(load(law));
-  }
-  return result;
+  return transformed(scene_.point_laws, [&](const model::PointLaw& law) { return load(law); });
 }
 
 bool uses_time(const model::Scene& scene, const std::vector<int>& active) {

@@ -6,6 +6,7 @@
 
 #include "common/index.hpp"
 #include "common/parallel.hpp"
+#include "common/transformed.hpp"
 #include "formulate/constrained.hpp"
 #include "formulate/scene_formulator.hpp"
 #include "formulate/scene_names.hpp"
@@ -111,11 +112,7 @@ void SceneTasks::add_events() {
 }
 
 std::vector<program::Staged> SceneTasks::staged_at(const std::vector<std::size_t>& places) const {
-  std::vector<program::Staged> result;
-  for (const std::size_t place : places) {
-    result.push_back(staged_[place]);
-  }
-  return result;
+  return transformed(places, [&](std::size_t place) { return staged_[place]; });
 }
 
 SceneFunctions SceneTasks::run() {

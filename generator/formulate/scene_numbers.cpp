@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "common/index.hpp"
+
 namespace treedyn::formulate {
 
 namespace {
@@ -35,16 +37,14 @@ class Visit {
   }
   void of_joint(Real& x, What what, int joint) const {
     const int link = link_of_joint(joint);
-    const model::JointType type = scene_->tree.links[static_cast<std::size_t>(link)].joint.type;
+    const model::JointType type = scene_->tree.links[to_index(link)].joint.type;
     const model::SceneNumberRow& row = model::row_of(what);
     see_({&x, 1}, {what, link, type == model::JointType::kRevolute ? row.turns : row.dimension});
   }
   [[nodiscard]] int link_of_joint(int joint) const {
-    return scene_->tree.coordinates[static_cast<std::size_t>(joint)];
+    return scene_->tree.coordinates[to_index(joint)];
   }
-  [[nodiscard]] int link_of_point(int point) const {
-    return scene_->points[static_cast<std::size_t>(point)].link;
-  }
+  [[nodiscard]] int link_of_point(int point) const { return scene_->points[to_index(point)].link; }
   [[nodiscard]] int link_of(const model::Constraint& c) const {
     return c.kind == model::ConstraintKind::kJoint ? link_of_joint(c.joint)
                                                    : link_of_point(c.point);
@@ -126,7 +126,7 @@ int Visit::link_of(const model::Event& e) const {
     case model::EventKind::kHeight:
       return link_of_point(e.point);
     case model::EventKind::kReaction:
-      return link_of(scene_->constraints[static_cast<std::size_t>(e.constraint)]);
+      return link_of(scene_->constraints[to_index(e.constraint)]);
     case model::EventKind::kTime:
     case model::EventKind::kExpression:
       break;

@@ -144,10 +144,8 @@ std::vector<Expr> SceneRows::wanted_of(const model::Constraint& c) const {
   for (std::size_t n = 0; n < 3 && c.kind == ConstraintKind::kPoint; ++n) {
     a[n] = value_of(graph_, c.curve.acceleration[n], meaning_);
   }
-  for (const model::Vector3& d : c.directions) {
-    result.push_back(dot(constant(graph_, d), a));
-  }
-  return result;
+  return transformed(c.directions,
+                     [&](const model::Vector3& d) { return dot(constant(graph_, d), a); });
 }
 
 void SceneRows::add_constraint(const model::Constraint& c, const std::vector<Expr>& a) {

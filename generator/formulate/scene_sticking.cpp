@@ -32,8 +32,7 @@ struct Sticking {
 std::vector<Sticking> sticking_joints(const Scene& scene) {
   std::vector<Sticking> result;
   for (const model::DryFriction& friction : scene.frictions) {
-    const auto same = std::ranges::find_if(
-        result, [&](const Sticking& other) { return other.joint == friction.joint; });
+    const auto same = std::ranges::find(result, friction.joint, &Sticking::joint);
     if (same == result.end()) {
       result.push_back({friction.joint, friction.force, 0});
     } else {

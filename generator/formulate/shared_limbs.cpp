@@ -1,7 +1,7 @@
 // What limbs that share code have in common: constants where all are equal, otherwise leaves.
 #include <algorithm>
-#include <iterator>
 
+#include "common/transformed.hpp"
 #include "formulate/link_kinematics.hpp"
 
 namespace treedyn::formulate {
@@ -34,11 +34,8 @@ std::vector<int> Kinematics::peers(int i) const {
     return {i};
   }
   const SharedLimbs::Place& place = limbs_->places[index(i)];
-  std::vector<int> result;
-  for (const std::vector<int>& limb : limbs_->links[index(place.limb_class)]) {
-    result.push_back(limb[index(place.position)]);
-  }
-  return result;
+  return transformed(limbs_->links[index(place.limb_class)],
+                     [&](const std::vector<int>& limb) { return limb[index(place.position)]; });
 }
 
 Expr Kinematics::own(int i, const std::vector<Real>& values) const {
@@ -62,8 +59,7 @@ Mat3 Kinematics::own_matrix(int i, Matrix3 (*matrix)(const NormalLink&)) const {
   const std::vector<Matrix3> all = of_peers(i, [&](int peer) { return matrix(link(peer)); });
   Mat3 result;
   for (std::size_t n = 0; n < 9; ++n) {
-    std::vector<Real> values;
-    std::ranges::transform(all, std::back_inserter(values), [n](const Matrix3& m) { return m[n]; });
+    const std::vector<Real> values = transformed(all, [n](const Matrix3& m) { return m[n]; });
     result[n / 3][n % 3] = own(i, values);
   }
   return result;

@@ -60,7 +60,7 @@ std::vector<int> groups_of(const model::Tree& tree) {
   for (const std::vector<int>& links : similar_links(tree)) {
     ++group;
     for (const int i : links) {
-      groups[static_cast<std::size_t>(i)] = group;
+      groups[to_index(i)] = group;
     }
   }
   return groups;
@@ -131,7 +131,7 @@ Seen see(const model::Tree& tree, const Options& options) {
   const std::vector<int> groups = groups_of(tree);
   int rows = 0;
   for (model::Link& link : seen.tree.links) {
-    all.begin(kRow * rows, groups[static_cast<std::size_t>(rows)]);
+    all.begin(kRow * rows, groups[to_index(rows)]);
     const bool is_root = link.father == model::kGround;
     see(link, is_root ? nullptr : &seen.tree.links[to_index(link.father)].joint, all);
     ++rows;

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "common/index.hpp"
 #include "common/real.hpp"
 
 namespace treedyn::optimise {
@@ -13,9 +14,7 @@ class ConstantTable {
  public:
   /// The index of `value`. \pre it is seen as no negative number, and not 0
   int find_or_add(const Real& value);
-  [[nodiscard]] const Real& value(int index) const {
-    return values_[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] const Real& value(int index) const { return values_[to_index(index)]; }
   /// Indices of a product and of the magnitude of a sum, kept because passes ask again and again.
   int product(int a, int b);
 

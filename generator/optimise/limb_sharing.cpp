@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "optimise/limb_partition.hpp"
 #include "optimise/limb_prune.hpp"
 
@@ -259,10 +260,7 @@ std::vector<int> output_levels(const LimbCode& code, const Function& trunk) {
     for_each_operand(
         node, [&](Ref operand) { own = std::max(own, level[program::node_index(operand)]); });
   }
-  std::vector<int> result;
-  std::ranges::transform(trunk.outputs, std::back_inserter(result),
-                         [&](Ref output) { return level[program::node_index(output)]; });
-  return result;
+  return transformed(trunk.outputs, [&](Ref output) { return level[program::node_index(output)]; });
 }
 
 /// Numbers the columns that the phases of a class use from 0 and makes them input kRowArray.

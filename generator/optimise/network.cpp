@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "common/transformed.hpp"
 #include "optimise/kept.hpp"
 #include "optimise/network_builder.hpp"
 
@@ -164,12 +165,8 @@ Ref rebuild(NetworkBuilder& builder, const Item& item, std::vector<Ref>& operand
 }
 
 std::vector<Ref> mapped(const std::vector<Ref>& image, std::span<const Ref> refs) {
-  std::vector<Ref> result;
-  result.reserve(refs.size());
-  for (const Ref a : refs) {
-    result.push_back(program::with_sign(image[program::node_index(a)], a));
-  }
-  return result;
+  return transformed(
+      refs, [&](const Ref a) { return program::with_sign(image[program::node_index(a)], a); });
 }
 
 /// Equal items become one.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/index.hpp"
 #include "optimise/constants.hpp"
 #include "optimise/program_names.hpp"
 
@@ -68,14 +69,12 @@ class Network {
   void reserve(std::size_t items, std::size_t operands);
 
  private:
-  static std::size_t index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
+  static std::size_t index(Ref a) { return to_index(a < 0 ? -a : a); }
   static std::size_t count(const Item& item) {
     const bool leaf = item.kind == Kind::kConstant || item.kind == Kind::kInput;
-    return leaf ? 0 : static_cast<std::size_t>(item.size);
+    return leaf ? 0 : to_index(item.size);
   }
-  static std::size_t begin(const Item& item) {
-    return count(item) == 0 ? 0 : static_cast<std::size_t>(item.first);
-  }
+  static std::size_t begin(const Item& item) { return count(item) == 0 ? 0 : to_index(item.first); }
 
   std::vector<Item> items_;
   std::vector<Ref> pool_;

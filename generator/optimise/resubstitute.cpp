@@ -25,7 +25,7 @@ constexpr double kMostAmplification = 16;
 
 /// The items that outputs need, operands first; operands may come after users in the network.
 std::vector<int> order_of_evaluation(const Network& network) {
-  std::vector<bool> seen(static_cast<std::size_t>(network.size()), false);
+  std::vector<bool> seen(to_index(network.size()), false);
   std::vector<int> order;
   std::vector<int> stack;
   const auto open = [&](Ref a) {
@@ -110,7 +110,7 @@ class Resubstitution {
 void Resubstitution::refresh() {
   order_ = order_of_evaluation(network_);
   samples_.update_errors(order_);
-  uses_.assign(static_cast<std::size_t>(network_.size()), 0);
+  uses_.assign(to_index(network_.size()), 0);
   const auto use = [this](Ref a) {
     ++uses_[program::node_index(a)];
   };
@@ -126,7 +126,7 @@ void Resubstitution::mark_dependents(int k) {
     return;
   }
   marked_ = k;
-  dependent_.assign(static_cast<std::size_t>(network_.size()), false);
+  dependent_.assign(to_index(network_.size()), false);
   dependent_[program::node_index(k)] = true;
   for (const int item : order_) {
     if (std::ranges::any_of(network_.operands(item), [this](Ref operand) {
@@ -138,7 +138,7 @@ void Resubstitution::mark_dependents(int k) {
 }
 
 void Resubstitution::note_quotients() {
-  of_quotient_.assign(static_cast<std::size_t>(network_.size()), false);
+  of_quotient_.assign(to_index(network_.size()), false);
   for (const int k : order_of_evaluation(network_)) {
     of_quotient_[program::node_index(k)] =
         network_.item(k).kind == Kind::kDivide ||
@@ -163,7 +163,7 @@ Ref Resubstitution::find_operand(double first, double second, int k) {
 
 /// The operations that vanish with `k`; marks the items, k first, that only k needs.
 int Resubstitution::exclusive_operations(int k) {
-  exclusive_.assign(static_cast<std::size_t>(network_.size()), false);
+  exclusive_.assign(to_index(network_.size()), false);
   std::vector<int> left = uses_;
   std::vector<int> open{k};
   exclusive_[program::node_index(k)] = true;
@@ -308,7 +308,7 @@ bool Resubstitution::shorten(int k) {
       operands.size() > kLongestShortened) {
     return false;
   }
-  exclusive_.assign(static_cast<std::size_t>(network_.size()), false);
+  exclusive_.assign(to_index(network_.size()), false);
   for (std::size_t i = 0; i < operands.size(); ++i) {
     for (std::size_t j = i + 1; j < operands.size(); ++j) {
       const Sample a = sample(operands[i]);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "common/index.hpp"
 #include "optimise/network.hpp"
 #include "optimise/rounding_guard.hpp"
 
@@ -50,9 +51,7 @@ class SampleTable {
     return a < 0 ? -found : found;
   }
   /// The sample of an item, in double.
-  [[nodiscard]] const std::array<double, 2>& fast(int k) const {
-    return fast_[static_cast<std::size_t>(k)];
-  }
+  [[nodiscard]] const std::array<double, 2>& fast(int k) const { return fast_[to_index(k)]; }
   /// What rounding in double leaves in the item, as it is computed now.
   [[nodiscard]] const ErrorBounds& errors(Ref a) const { return errors_[program::node_index(a)]; }
   /// After operands have changed. \param order  all items in use, operands before their users

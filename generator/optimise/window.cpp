@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "common/index.hpp"
+
 namespace treedyn::optimise {
 
 namespace {
@@ -20,7 +22,7 @@ struct Users {
 
 Users users_of(const Network& network) {
   Users result;
-  result.first.assign(static_cast<std::size_t>(network.size()) + 1, 0);
+  result.first.assign(to_index(network.size()) + 1, 0);
   for (int k = 1; k < network.size(); ++k) {
     for (const Ref operand : network.operands(k)) {
       ++result.first[program::node_index(operand) + 1];
@@ -29,11 +31,11 @@ Users users_of(const Network& network) {
   for (std::size_t k = 1; k < result.first.size(); ++k) {
     result.first[k] += result.first[k - 1];
   }
-  result.users.resize(static_cast<std::size_t>(result.first.back()));
+  result.users.resize(to_index(result.first.back()));
   std::vector<int> next = result.first;
   for (int k = 1; k < network.size(); ++k) {
     for (const Ref operand : network.operands(k)) {
-      result.users[static_cast<std::size_t>(next[program::node_index(operand)]++)] = k;
+      result.users[to_index(next[program::node_index(operand)]++)] = k;
     }
   }
   return result;
@@ -43,7 +45,7 @@ Users users_of(const Network& network) {
 
 std::vector<int> random_neighbourhood(const Network& network, Random& random, int size) {
   const Users users = users_of(network);
-  std::vector<bool> seen(static_cast<std::size_t>(network.size()), false);
+  std::vector<bool> seen(to_index(network.size()), false);
   std::vector<int> found;
   const auto visit = [&](int k) {
     if (!seen[program::node_index(k)] && is_operation(network, k)) {
@@ -55,15 +57,13 @@ std::vector<int> random_neighbourhood(const Network& network, Random& random, in
     visit(1 + random.below(network.size() - 1));
   }
   for (std::size_t i = 0; i < found.size() && static_cast<int>(found.size()) < size; ++i) {
-    std::swap(
-        found[i],
-        found[i + static_cast<std::size_t>(random.below(static_cast<int>(found.size() - i)))]);
+    std::swap(found[i], found[i + to_index(random.below(static_cast<int>(found.size() - i)))]);
     for (const Ref operand : network.operands(found[i])) {
       visit(std::abs(operand));
     }
     for (int u = users.first[program::node_index(found[i])];
          u < users.first[program::node_index(found[i]) + 1]; ++u) {
-      visit(users.users[static_cast<std::size_t>(u)]);
+      visit(users.users[to_index(u)]);
     }
   }
   std::ranges::sort(found);
@@ -72,8 +72,8 @@ std::vector<int> random_neighbourhood(const Network& network, Random& random, in
 
 Window cut_window(const Network& network, std::span<const int> items) {
   Window window{Network(network.shared_constants()), {}};
-  std::vector<int> image(static_cast<std::size_t>(network.size()), 0);
-  std::vector<int> inner_uses(static_cast<std::size_t>(network.size()), 0);
+  std::vector<int> image(to_index(network.size()), 0);
+  std::vector<int> inner_uses(to_index(network.size()), 0);
   std::vector<Ref> operands;
   for (const int k : items) {
     operands.clear();
@@ -104,7 +104,7 @@ Window cut_window(const Network& network, std::span<const int> items) {
 }
 
 Network with_window(Network network, const Window& window) {
-  std::vector<Ref> image(static_cast<std::size_t>(window.network.size()), 0);
+  std::vector<Ref> image(to_index(window.network.size()), 0);
   std::vector<Ref> operands;
   for (int k = 1; k < window.network.size(); ++k) {
     const Item& item = window.network.item(k);

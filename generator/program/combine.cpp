@@ -13,8 +13,7 @@ namespace {
 std::vector<int> places_of(const Signature& signature, const std::vector<Array>& inputs) {
   std::vector<int> places;
   for (const Array& array : signature.inputs) {
-    const auto found =
-        std::ranges::find_if(inputs, [&](const Array& a) { return a.name == array.name; });
+    const auto found = std::ranges::find(inputs, array.name, &Array::name);
     TREEDYN_EXPECT(found == inputs.end() || found->size == array.size);
     places.push_back(found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin()));
   }

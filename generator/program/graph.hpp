@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/index.hpp"
 #include "common/real.hpp"
 
 namespace treedyn::program {
@@ -15,7 +16,7 @@ namespace treedyn::program {
 using Ref = std::int32_t;
 
 /// The position of the node that `a` or its negative is.
-constexpr std::size_t node_index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
+constexpr std::size_t node_index(Ref a) { return to_index(a < 0 ? -a : a); }
 /// `value`, negated where `sign` is negative.
 constexpr Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value; }
 
@@ -83,9 +84,7 @@ class Graph {
   [[nodiscard]] int section(Ref a) const { return sections_[node_index(a)]; }
 
  private:
-  static std::size_t hint_index(Ref a) {
-    return 2 * node_index(a) + static_cast<std::size_t>(a < 0);
-  }
+  static std::size_t hint_index(Ref a) { return 2 * node_index(a) + to_index(a < 0); }
   Ref make(Kind kind, Ref a, Ref b);
   Ref add_constant(Ref sum, Ref constant);
   [[nodiscard]] bool is_one(Ref a) const;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "common/index.hpp"
 #include "program/function.hpp"
 
 namespace treedyn::program {
@@ -27,11 +28,11 @@ std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs
                                 Elementary elementary, Numbers numbers = Numbers::kPlain) {
   std::vector<Scalar> value(graph.size(), Scalar(0));
   const auto at = [&](Ref a) -> const Scalar& {
-    return value[static_cast<std::size_t>(a)];
+    return value[to_index(a)];
   };
   for (const Ref k : reachable(graph, outputs)) {
     const Node& node = graph.node(k);
-    Scalar& result = value[static_cast<std::size_t>(k)];
+    Scalar& result = value[to_index(k)];
     switch (node.kind) {
       case Kind::kConstant:
         result = from_real<Scalar>(numbers == Numbers::kPlain ? graph.value(k).plain()
@@ -67,9 +68,7 @@ std::vector<Scalar> interpret(const Function& function,
                               const std::vector<std::span<const Scalar>>& inputs) {
   const std::vector<Scalar> value = node_values<Scalar>(
       function.graph, function.outputs,
-      [&](int array, int element) {
-        return inputs[static_cast<std::size_t>(array)][static_cast<std::size_t>(element)];
-      },
+      [&](int array, int element) { return inputs[to_index(array)][to_index(element)]; },
       [](Kind kind, const Scalar& a) -> Scalar {
         using std::cos;
         using std::sin;

@@ -5,6 +5,8 @@
 #include <ios>
 #include <set>
 
+#include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 
@@ -20,8 +22,7 @@ NodeValues values_at(const Function& function, const std::vector<double>& q) {
       [&](int array, int element) {
         const std::uint64_t name =
             (static_cast<std::uint64_t>(array) << 32U) + static_cast<std::uint64_t>(element);
-        return Real(array == 0 ? q[static_cast<std::size_t>(element)]
-                               : Random(scramble(name)).symmetric());
+        return Real(array == 0 ? q[to_index(element)] : Random(scramble(name)).symmetric());
       },
       [](Kind kind, const Real& a) {
         return kind == Kind::kSin   ? Real(sin(a))
@@ -74,10 +75,10 @@ std::set<Ref> Pivots::divisors() const {
   }
   std::size_t first = 0;
   for (const Array& array : function_.signature.outputs) {
-    for (std::size_t k = 0; array.name == "d" && k < static_cast<std::size_t>(array.size); ++k) {
+    for (std::size_t k = 0; array.name == "d" && k < to_index(array.size); ++k) {
       result.insert(std::abs(function_.outputs[first + k]));
     }
-    first += static_cast<std::size_t>(array.size);
+    first += to_index(array.size);
   }
   std::erase_if(result, [this](Ref a) { return graph_.is_constant(a) || !of_first_alone(a); });
   return result;
@@ -151,11 +152,7 @@ Pivot Pivots::pivot(Ref divisor) const {
 }
 
 std::vector<Pivot> Pivots::find() const {
-  std::vector<Pivot> result;
-  for (const Ref divisor : divisors()) {
-    result.push_back(pivot(divisor));
-  }
-  return result;
+  return transformed(divisors(), [&](Ref divisor) { return pivot(divisor); });
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "program/rounding.hpp"
 
 #include <functional>
-#include <iterator>
 
+#include "common/transformed.hpp"
 #include "program/fingerprint.hpp"
 #include "program/interpret.hpp"
 
@@ -26,10 +26,7 @@ std::vector<double> values_at(const Function& function, int state) {
                : kind == Kind::kCos ? cos(Real(a)).digits()
                                     : sqrt(abs(Real(a))).digits();
       });
-  std::vector<double> values;
-  std::ranges::transform(exact, std::back_inserter(values),
-                         [](const Digits& x) { return static_cast<double>(x); });
-  return values;
+  return transformed(exact, [](const Digits& x) { return static_cast<double>(x); });
 }
 
 /// Error bounds of the outputs.
@@ -65,11 +62,8 @@ std::vector<double> errors_at(const Function& function, const std::vector<double
         }()
             .error;
   }
-  std::vector<double> result;
-  for (const Ref output : function.outputs) {
-    result.push_back(errors[node_index(output)]);
-  }
-  return result;
+  return transformed(function.outputs,
+                     [&](const Ref output) { return errors[node_index(output)]; });
 }
 
 /// Sums of the error bounds of the outputs over all states.
@@ -208,10 +202,7 @@ std::vector<double> inputs_at(const Function& function, int state) {
 
 template <class Scalar>
 std::vector<double> in_double(const std::vector<Scalar>& values) {
-  std::vector<double> result;
-  std::ranges::transform(values, std::back_inserter(result),
-                         [](const Scalar& x) { return static_cast<double>(x); });
-  return result;
+  return transformed(values, [](const Scalar& x) { return static_cast<double>(x); });
 }
 
 }  // namespace

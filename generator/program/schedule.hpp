@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/index.hpp"
 #include "program/function.hpp"
 
 namespace treedyn::program {
@@ -47,9 +48,7 @@ struct Schedule {
   std::vector<Ref> statements;  ///< in order of execution
   std::vector<bool> inlined;    ///< by node number
 
-  [[nodiscard]] bool is_inlined(Ref a) const {
-    return inlined[static_cast<std::size_t>(a < 0 ? -a : a)];
-  }
+  [[nodiscard]] bool is_inlined(Ref a) const { return inlined[to_index(a < 0 ? -a : a)]; }
 };
 
 /// Shape of `node` if the inlined operands are written in place: the text then groups exactly as

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::program {
 
@@ -11,12 +12,12 @@ Tape::Tape(const Function& function) {
   std::vector<std::int32_t> place(graph.size(), 0);
   registers_.push_back(0);
   const auto at = [&](Ref a) {
-    return place[static_cast<std::size_t>(a < 0 ? -a : a)];
+    return place[to_index(a < 0 ? -a : a)];
   };
   for (const Ref k : reachable(graph, function.outputs)) {
     const Node& node = graph.node(k);
     const auto result = static_cast<std::int32_t>(registers_.size());
-    place[static_cast<std::size_t>(k)] = result;
+    place[to_index(k)] = result;
     registers_.push_back(0);
     switch (node.kind) {
       case Kind::kConstant:
@@ -57,8 +58,7 @@ Tape::Tape(const Function& function) {
 void Tape::evaluate(std::span<const std::span<const double>> inputs, std::span<double> outputs) {
   double* const r = registers_.data();
   for (const Load& load : loads_) {
-    r[load.result] =
-        inputs[static_cast<std::size_t>(load.array)][static_cast<std::size_t>(load.element)];
+    r[load.result] = inputs[to_index(load.array)][to_index(load.element)];
   }
   for (const Instruction& i : instructions_) {
     switch (i.operation) {

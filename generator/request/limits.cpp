@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/index.hpp"
 
 namespace treedyn {
 
@@ -27,8 +28,7 @@ void require(const Location& where, const char* what, long count, const char* of
 std::vector<long> path_lengths(const model::Tree& tree) {
   std::vector<long> result;
   for (const model::Link& link : tree.links) {
-    result.push_back(
-        1 + (link.father == model::kGround ? 0 : result[static_cast<std::size_t>(link.father)]));
+    result.push_back(1 + (link.father == model::kGround ? 0 : result[to_index(link.father)]));
   }
   return result;
 }
@@ -44,7 +44,7 @@ void require_size(const model::Tree& tree, const std::vector<model::Point>& poin
   require(where, "the model has", static_cast<long>(points.size()), "points", kMostPoints);
   long of_points = 0;
   for (const model::Point& point : points) {
-    of_points += point.link == model::kGround ? 0 : depth[static_cast<std::size_t>(point.link)];
+    of_points += point.link == model::kGround ? 0 : depth[to_index(point.link)];
   }
   require(where, "the paths from the points to the ground have", of_points, "joints in all",
           kMostPointJoints);

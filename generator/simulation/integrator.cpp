@@ -173,8 +173,7 @@ constexpr std::array<IntegratorRow, 6> kIntegrators = {{
 std::span<const IntegratorRow> integrators() { return kIntegrators; }
 
 std::unique_ptr<Integrator> make_integrator(std::string_view name) {
-  const auto found = std::ranges::find_if(
-      kIntegrators, [&](const IntegratorRow& row) { return row.name == name; });
+  const auto found = std::ranges::find(kIntegrators, name, &IntegratorRow::name);
   return found == kIntegrators.end() ? nullptr : found->make();
 }
 

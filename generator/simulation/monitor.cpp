@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "model/scene_facts.hpp"
 #include "simulation/column_names.hpp"
 
@@ -72,7 +73,7 @@ double Monitor::scale_of(const model::Constraint& constraint) const {
 }
 
 Monitor::Row Monitor::row(const Constraints& constraints, int k) const {
-  const auto c = static_cast<std::size_t>(constraints.constraint(k));
+  const auto c = to_index(constraints.constraint(k));
   return {first_[c] + constraints.number(k), scale_of(scene_.constraints[c])};
 }
 
@@ -192,14 +193,14 @@ void Monitor::turn(const Constraints& constraints, const Turn& turn, double t, d
   const std::string& name = names_[row(constraints, turn.row).name];
   note({"branch", name, t, turned_, bounds_.turn_warning, 0, 0, "rad",
         fmt::format("constraint '{}' is near a position in which it moves no joint and turns the "
-                    "motion at t = {:.6g} s, {:.2g} rad so far, by errors of position and "
-                    "velocity that turn its own direction by {:.2g} rad",
+                    "motion at t = {:.6g} s, {:.2g} rad so far, by errors of position and velocity "
+                    "that turn its own direction by {:.2g} rad",
                     name, t, turned_, turn.beside)});
   if (turned_ > bounds_.turn_end) {
-    throw std::runtime_error(fmt::format(
-        "constraint '{}' and the others no longer tell where the motion goes: near a singular "
-        "position their errors have turned it by {:.2g} rad (bound {:.2g})",
-        name, turned_, bounds_.turn_end));
+    throw std::runtime_error(
+        fmt::format("constraint '{}' and the others no longer tell where the motion goes: near a "
+                    "singular position their errors have turned it by {:.2g} rad (bound {:.2g})",
+                    name, turned_, bounds_.turn_end));
   }
 }
 
@@ -218,8 +219,7 @@ void Monitor::drift(System& system, double t, const Vector& q) {
       continue;
     }
     const char* const unit =
-        model::is_angular(scene_.tree,
-                          scene_.constraints[static_cast<std::size_t>(constraints.constraint(k))])
+        model::is_angular(scene_.tree, scene_.constraints[to_index(constraints.constraint(k))])
             ? "rad"
             : "m";
     note({"drift", names_[row.name], t, off, bounds_.drift_warning * row.scale, 0, 0, unit,
@@ -299,8 +299,7 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
                     std::fabs(unexplained_), t, scale, name)});
   if (part > bounds_.energy_end) {
     throw std::runtime_error(fmt::format(
-        "energy grows without power: {:.3g} J more than forces explain, beside {:.3g} J "
-        "{}",
+        "energy grows without power: {:.3g} J more than forces explain, beside {:.3g} J {}",
         unexplained_, scale, name));
   }
 }

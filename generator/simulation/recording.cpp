@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/index.hpp"
 #include "simulation/column_names.hpp"
 
 namespace treedyn::simulation {
@@ -14,8 +15,7 @@ namespace {
 std::vector<bool> carriages(const model::Tree& tree) {
   std::vector<bool> result;
   for (const model::Link& link : tree.links) {
-    const bool on_ground =
-        link.father == model::kGround || result[static_cast<std::size_t>(link.father)];
+    const bool on_ground = link.father == model::kGround || result[to_index(link.father)];
     result.push_back(on_ground && link.inertia.mass == 0);
   }
   return result;
@@ -29,7 +29,7 @@ Figure figure_of(const model::Scene& scene) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     figure.names.push_back(tree.links[i].name);
     const int father = tree.links[i].father;
-    if (father != model::kGround && !carries[static_cast<std::size_t>(father)]) {
+    if (father != model::kGround && !carries[to_index(father)]) {
       figure.lines.emplace_back(father, static_cast<int>(i));
     }
     if (!carries[i]) {
@@ -37,7 +37,7 @@ Figure figure_of(const model::Scene& scene) {
     }
   }
   const auto add = [&](const std::string& name, int link) {
-    if (!carries[static_cast<std::size_t>(link)]) {
+    if (!carries[to_index(link)]) {
       figure.lines.emplace_back(link, static_cast<int>(figure.names.size()));
     }
     figure.visible.push_back(static_cast<int>(figure.names.size()));

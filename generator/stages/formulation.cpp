@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "common/parallel.hpp"
+#include "common/transformed.hpp"
 #include "emit/layout.hpp"
 #include "formulate/functions.hpp"
 #include "formulate/scene_functions.hpp"
@@ -29,11 +30,7 @@ formulate::Options formulate_options(const Model& model, const Request& request)
 }
 
 std::vector<std::string> pass_names() {
-  std::vector<std::string> names;
-  for (const formulate::PassInfo& info : formulate::passes()) {
-    names.emplace_back(info.name);
-  }
-  return names;
+  return transformed<std::string>(formulate::passes(), &formulate::PassInfo::name);
 }
 
 namespace {

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "description/vectors.hpp"
 #include "engine/engine.hpp"
 #include "program/interpret.hpp"
@@ -81,10 +83,10 @@ class Joints {
 Joints::Joints(const Model& model, emit::Scalar scalar)
     : tree_(model.tree), states_(ordinary_states(model)) {
   const model::Tree& tree = model.tree;
-  const auto n = static_cast<std::size_t>(tree.dof());
+  const auto n = to_index(tree.dof());
   std::vector<double> rotors(n, 0);
   for (const model::Armature& armature : model.scene->armatures) {
-    rotors[static_cast<std::size_t>(armature.joint)] += static_cast<double>(armature.inertia);
+    rotors[to_index(armature.joint)] += static_cast<double>(armature.inertia);
   }
   engine::Engine<double> engine(tree);
   for (const std::vector<double>& q : states_) {
@@ -128,8 +130,7 @@ bool Joints::is_safe(const std::vector<double>& values) const {
 std::vector<int> Joints::turning() const {
   std::vector<int> result;
   const auto is_free = [&](int link) {
-    const auto k =
-        static_cast<std::size_t>(tree_.drives[static_cast<std::size_t>(link)].coordinate);
+    const auto k = to_index(tree_.drives[to_index(link)].coordinate);
     std::vector<double> pivots;
     for (const Inertias& at : inertias_) {
       pivots.push_back(at.pivots[k]);
@@ -137,8 +138,8 @@ std::vector<int> Joints::turning() const {
     return !safe_[k] && !is_safe(pivots);
   };
   for (int k = 0; k < tree_.dof(); ++k) {
-    const int link = tree_.coordinates[static_cast<std::size_t>(k)];
-    const model::Link& moved = tree_.links[static_cast<std::size_t>(link)];
+    const int link = tree_.coordinates[to_index(k)];
+    const model::Link& moved = tree_.links[to_index(link)];
     if (moved.joint.type == model::JointType::kRevolute &&
         (is_free(link) || (moved.father != model::kGround && is_free(moved.father)))) {
       result.push_back(k);
@@ -161,8 +162,7 @@ std::vector<std::vector<double>> values_of(const std::vector<program::Pivot>& pi
     std::vector<std::vector<double>> inputs = {q};
     for (std::size_t k = 1; k < function.signature.inputs.size(); ++k) {
       const program::Array& array = function.signature.inputs[k];
-      inputs.push_back(
-          array.type.empty() ? std::vector<double>(static_cast<std::size_t>(array.size)) : derived);
+      inputs.push_back(array.type.empty() ? std::vector<double>(to_index(array.size)) : derived);
     }
     const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());
     const std::vector<double> values = program::interpret<double>(divisors, spans);
@@ -196,10 +196,8 @@ program::Programs with_tested_pivots(program::Programs programs, const Model& mo
     return programs;
   }
   const Joints joints(model, scalar);
-  std::vector<double> derived;
-  for (const Real& number : programs.derived) {
-    derived.push_back(number.convert_to<double>());
-  }
+  const std::vector<double> derived = transformed(
+      programs.derived, [&](const Real& number) { return number.convert_to<double>(); });
   for (program::Staged& staged : programs.staged) {
     test_pivots(staged, joints, derived);
   }
