@@ -142,6 +142,12 @@ void append(Lines& lines, const Lines& more, const std::string& indentation) {
   }
 }
 
+void append_if(Lines& lines, bool needed, const std::string& line) {
+  if (needed) {
+    lines.push_back(line);
+  }
+}
+
 std::string joined(const Lines& lines, const std::string& indentation) {
   std::string result;
   for (const std::string& line : lines) {

@@ -13,6 +13,8 @@ using Lines = std::vector<std::string>;
 
 /// Adds the lines `more`, each behind `indentation`.
 void append(Lines& lines, const Lines& more, const std::string& indentation = "");
+/// Adds the line where it is needed.
+void append_if(Lines& lines, bool needed, const std::string& line);
 /// The lines one below the other, each behind `indentation`, without the last line break.
 std::string joined(const Lines& lines, const std::string& indentation);
 

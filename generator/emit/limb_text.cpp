@@ -281,9 +281,7 @@ std::vector<std::string> calls(const program::Function& function,
     const int count = together ? 1 : limb_class.size();
     for (int limb = 0; phase.stage == stage && limb < count; ++limb) {
       std::vector<std::string> arguments;
-      if (phases[k].uses[0]) {
-        arguments.emplace_back(program::kTrunkValues);
-      }
+      append_if(arguments, phases[k].uses[0], program::kTrunkValues);
       if (phases[k].uses[1]) {
         const std::string name = table_name(function, phase.limb_class);
         arguments.push_back(together ? name : fmt::format("{}[{}]", name, limb));
@@ -302,9 +300,7 @@ std::vector<std::string> local_arrays(const program::Function& function, const V
   const LimbCode& code = *function.limb_code;
   std::vector<std::string> lines;
   const program::Array& trunk = code.trunk.signature.outputs[function.signature.outputs.size()];
-  if (trunk.size > 0) {
-    lines.push_back(fmt::format("Scalar {}[{}];", trunk.name, trunk.size));
-  }
+  append_if(lines, trunk.size > 0, fmt::format("Scalar {}[{}];", trunk.name, trunk.size));
   for (std::size_t c = 0; c < code.limbs.size(); ++c) {
     if (together && !code.values[c].empty()) {
       lines.push_back(fmt::format("{} {}[{}];", vector_type(lanes(code.limbs[c])),

@@ -196,10 +196,9 @@ std::vector<std::string> press_lines(const Staged& staged) {
     const program::Signature& signature = staged.contacts[k].signature;
     std::ranges::transform(signature.arrays(), std::back_inserter(passed), &program::Array::name);
     lines.push_back(fmt::format("if ({}[{}] > Scalar(0)) {{", program::kDepthArray, k));
-    if (staged.tells) {
-      lines.push_back(fmt::format("  treedyn_again({});",
-                                  static_cast<std::size_t>(program::Repeated::kPress) + k));
-    }
+    append_if(lines, staged.tells,
+              fmt::format("  treedyn_again({});",
+                          static_cast<std::size_t>(program::Repeated::kPress) + k));
     lines.push_back(fmt::format("  {}({});", signature.name, fmt::join(passed, ", ")));
     lines.push_back("}");
   }
@@ -222,9 +221,7 @@ std::vector<std::string> return_lines(const Staged& staged) {
 /// What the solver says, and whether all results are numbers.
 std::string return_line(const Staged& staged) {
   std::vector<std::string> parts;
-  if (!staged.solves.empty() || !staged.pivots.empty()) {
-    parts.emplace_back("failed");
-  }
+  append_if(parts, !staged.solves.empty() || !staged.pivots.empty(), "failed");
   for (const program::Array& array : staged.signature.outputs) {
     parts.push_back(fmt::format("check({}, {})", array.name, array.size));
   }
@@ -302,14 +299,10 @@ std::string function_text(const Staged& staged, const Vocabulary& words, const B
   append(lines, whole.lines);
   append_unused_gates(staged, to_index(whole.stages), all, target, lines);
   if (!staged.pivots.empty()) {
-    if (staged.solves.empty()) {
-      lines.emplace_back("int failed = 0;");
-    }
+    append_if(lines, staged.solves.empty(), "int failed = 0;");
     append(lines, pivot_tests(staged.pivots, staged.signature.inputs.front().size, target));
   }
-  if (staged.signature.status) {
-    lines.push_back(return_line(staged));
-  }
+  append_if(lines, staged.signature.status, return_line(staged));
   return definition(whole.parts, staged.signature, used_arguments(staged, whole.used), lines);
 }
 
@@ -333,7 +326,7 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
 
 Body staged_body(const Staged& staged, const Vocabulary& words, const Target& target) {
   return body(staged.function, words, target,
-              [&](int array, int) { return staged.levels[static_cast<std::size_t>(array)]; });
+              [&](int array, int) { return staged.levels[to_index(array)]; });
 }
 
 std::string local_functions(const std::vector<Staged>& functions, const Vocabulary& words,

@@ -131,9 +131,8 @@ std::string Steps::text(std::size_t begin, std::size_t end) const {
       continue;
     }
     const std::string& goal = goals_[node_index(statement.value)];
-    if (!goal.empty() && std::ranges::find(goals, word_of(goal)) == goals.end()) {
-      goals.push_back(word_of(goal));
-    }
+    append_if(goals, !goal.empty() && std::ranges::find(goals, word_of(goal)) == goals.end(),
+              word_of(goal));
   }
   std::string comment = fmt::format("// {}", words_.body_comments[static_cast<std::size_t>(body)]);
   if (goals.empty()) {

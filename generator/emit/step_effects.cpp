@@ -149,9 +149,7 @@ std::string EffectWriter::ways_text(const std::string& qd) const {
 
 Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) const {
   Lines lines = next_phase(event.outcome);
-  if (needs_time(phase, event)) {
-    lines.emplace_back(kTime);
-  }
+  append_if(lines, needs_time(phase, event), kTime);
   if (!event.outcome.renewals.empty() || (event.rest && !event.rest->renewals.empty())) {
     lines.push_back(
         fmt::format("Scalar anchor[{}];", stepper_.anchors.front().signature.outputs[0].size));
@@ -169,9 +167,7 @@ Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) 
     append(lines, rest_lines(phase, event));
   }
   append(lines, {"for (int i = 0; i < kDof; ++i) {", "  now.qd[i] = qd_plus[i];"});
-  if (stepper_.compensated) {
-    lines.emplace_back("  now.rest[kDof + i] = Scalar(0);");
-  }
+  append_if(lines, stepper_.compensated, "  now.rest[kDof + i] = Scalar(0);");
   lines.emplace_back("}");
   append(lines, sticking_lines(event));
   return lines;

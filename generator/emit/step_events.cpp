@@ -54,45 +54,28 @@ class EventWriter {
 
 Lines EventWriter::motion() const {
   Lines lines = {"const Scalar* tau;"};
-  if (stepper_.takes_time) {
-    lines.emplace_back("const Scalar* t;  // of the beginning of the step");
-  }
-  if (!stepper_.anchors.empty() || stepper_.takes_anchor) {
-    lines.push_back(fmt::format("{}Scalar* anchor;", stepper_.anchors.empty() ? "const " : ""));
-  }
-  if (stepper_.takes_derived) {
-    lines.push_back(fmt::format("const {}* derived;", kDerivedParameters));
-  }
-  if (stepper_.switches()) {
-    lines.emplace_back("int which;  // phase");
-  }
-  if (counts()) {
-    lines.emplace_back("int steps;  // that the phase has lasted when the step begins");
-  }
-  if (stepper_.begun) {
-    lines.emplace_back("Scalar begun;  // s, before them");
-  }
+  append_if(lines, stepper_.takes_time, "const Scalar* t;  // of the beginning of the step");
+  append_if(lines, !stepper_.anchors.empty() || stepper_.takes_anchor,
+            fmt::format("{}Scalar* anchor;", stepper_.anchors.empty() ? "const " : ""));
+  append_if(lines, stepper_.takes_derived, fmt::format("const {}* derived;", kDerivedParameters));
+  append_if(lines, stepper_.switches(), "int which;  // phase");
+  append_if(lines, counts(), "int steps;  // that the phase has lasted when the step begins");
+  append_if(lines, stepper_.begun, "Scalar begun;  // s, before them");
   return lines;
 }
 
 Lines EventWriter::moment() const {
   Lines lines = {"Scalar at;  // s from the beginning of the step", "Scalar q[kDof];",
                  "Scalar qd[kDof];"};
-  if (stepper_.compensated) {
-    lines.emplace_back("Scalar rest[2 * kDof];  // lost by q and qd");
-  }
-  if (stepper_.rows > 0) {
-    lines.push_back(fmt::format("Scalar lambda[{}];", stepper_.rows));
-  }
-  if (program::tells_reactions(stepper_)) {
-    lines.push_back(fmt::format("Scalar halfway[{}];  // of the way here: lambda", stepper_.rows));
-  }
-  if (guards_ > 0) {
-    lines.push_back(fmt::format("Scalar guard[kGuards];  // below zero behind an event{}",
-                                stepper_.most_approaches() > 0
-                                    ? fmt::format("; from {} on speeds along normals", guards_)
-                                    : ""));
-  }
+  append_if(lines, stepper_.compensated, "Scalar rest[2 * kDof];  // lost by q and qd");
+  append_if(lines, stepper_.rows > 0, fmt::format("Scalar lambda[{}];", stepper_.rows));
+  append_if(lines, program::tells_reactions(stepper_),
+            fmt::format("Scalar halfway[{}];  // of the way here: lambda", stepper_.rows));
+  append_if(lines, guards_ > 0,
+            fmt::format("Scalar guard[kGuards];  // below zero behind an event{}",
+                        stepper_.most_approaches() > 0
+                            ? fmt::format("; from {} on speeds along normals", guards_)
+                            : ""));
   lines.emplace_back("int failed;");
   return lines;
 }
@@ -100,9 +83,7 @@ Lines EventWriter::moment() const {
 Lines EventWriter::advance() const {
   Lines lines;
   Lines arguments = {"to.at - from.at"};
-  if (stepper_.switches()) {
-    arguments.emplace_back("motion.which");
-  }
+  append_if(arguments, stepper_.switches(), "motion.which");
   arguments.insert(arguments.end(), {"from.q", "from.qd"});
   if (stepper_.compensated) {
     append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  to.rest[i] = from.rest[i];", "}"});
@@ -113,23 +94,15 @@ Lines EventWriter::advance() const {
     lines.emplace_back("const Scalar t[1] = {motion.t[0] + from.at};");
     arguments.emplace_back("t");
   }
-  if (stepper_.takes_anchor) {
-    arguments.emplace_back("motion.anchor");
-  }
-  if (stepper_.takes_derived) {
-    arguments.emplace_back(kDerivedOfMotion);
-  }
+  append_if(arguments, stepper_.takes_anchor, "motion.anchor");
+  append_if(arguments, stepper_.takes_derived, kDerivedOfMotion);
   arguments.insert(arguments.end(), {"to.q", "to.qd"});
   if (stepper_.rows > 0) {
     arguments.insert(arguments.end(), {"from.lambda", "to.lambda"});
   }
-  if (program::tells_reactions(stepper_)) {
-    arguments.emplace_back("to.halfway");
-  }
-  if (stepper_.tells) {
-    lines.push_back(
-        fmt::format("treedyn_again({});", static_cast<int>(program::Repeated::kAdvance)));
-  }
+  append_if(arguments, program::tells_reactions(stepper_), "to.halfway");
+  append_if(lines, stepper_.tells,
+            fmt::format("treedyn_again({});", static_cast<int>(program::Repeated::kAdvance)));
   lines.push_back(call_text("to.failed = integrate", arguments));
   append(lines, stuck_lines());
   return lines;
@@ -266,10 +239,9 @@ Lines EventWriter::turn_lines() const {
            {fmt::format("for (int i = 0; i < {} && !(from.at > Scalar(0)); ++i) {{", stepper_.rows),
             "  lambda[i] = from.lambda[i];", "}"});
   }
-  if (guards_ > 0) {
-    inner.push_back(
-        fmt::format("event = find_event(motion, from, to{});", stepper_.cuts > 0 ? ", last" : ""));
-  }
+  append_if(
+      inner, guards_ > 0,
+      fmt::format("event = find_event(motion, from, to{});", stepper_.cuts > 0 ? ", last" : ""));
   append(inner, {"failed |= from.failed | to.failed;", "from = to;"});
   if (!stepper_.has_times()) {
     Lines lines = {"int event = -1;"};
@@ -286,9 +258,7 @@ Lines EventWriter::turn_lines() const {
 Lines EventWriter::begin_lines() const {
   Lines values = {"tau"};
   Lines lines;
-  if (stepper_.takes_time) {
-    values.emplace_back("t");
-  }
+  append_if(values, stepper_.takes_time, "t");
   if (!stepper_.anchors.empty()) {
     lines = {fmt::format("for (int i = 0; i < {}; ++i) {{",
                          stepper_.anchors.front().signature.outputs[0].size),
@@ -297,26 +267,16 @@ Lines EventWriter::begin_lines() const {
   } else if (stepper_.takes_anchor) {
     values.emplace_back("anchor");
   }
-  if (stepper_.takes_derived) {
-    values.emplace_back("&derived");
-  }
-  if (stepper_.switches()) {
-    values.emplace_back("phase[0]");
-  }
-  if (counts()) {
-    values.emplace_back("steps[0]");
-  }
-  if (stepper_.begun) {
-    values.emplace_back("begun[0]");
-  }
+  append_if(values, stepper_.takes_derived, "&derived");
+  append_if(values, stepper_.switches(), "phase[0]");
+  append_if(values, counts(), "steps[0]");
+  append_if(values, stepper_.begun, "begun[0]");
   lines.push_back(fmt::format("Motion motion = {{{}}};", fmt::join(values, ", ")));
   append(lines, {"Moment from = {};", "Moment to = {};"});
   if (stepper_.compensated) {
     append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  from.rest[i] = rest[i];", "}"});
   }
-  if (counts()) {
-    lines.emplace_back("bool changed = false;");
-  }
+  append_if(lines, counts(), "bool changed = false;");
   return lines;
 }
 
@@ -325,13 +285,10 @@ Lines EventWriter::end_lines() const {
   if (stepper_.compensated) {
     append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  rest_next[i] = from.rest[i];", "}"});
   }
-  if (stepper_.switches()) {
-    lines.emplace_back("phase_next[0] = motion.which;");
-  }
-  if (counts()) {
-    lines.push_back(fmt::format(
-        "steps_next[0] = changed ? 0 : steps[0] < {0} ? steps[0] + 1 : {0};", stepper_.counted));
-  }
+  append_if(lines, stepper_.switches(), "phase_next[0] = motion.which;");
+  append_if(lines, counts(),
+            fmt::format("steps_next[0] = changed ? 0 : steps[0] < {0} ? steps[0] + 1 : {0};",
+                        stepper_.counted));
   if (stepper_.begun) {
     append(lines, {"begun_next[0] = changed ? h + motion.begun : begun[0];",
                    "if (changed && !(begun_next[0] < h)) {  // a whole step",
@@ -345,9 +302,7 @@ std::string EventWriter::turns() const {
   if (counts()) {
     restart = {"changed = true;", "motion.steps = 0;"};
   }
-  if (stepper_.begun) {
-    restart.emplace_back("motion.begun = -from.at;");
-  }
+  append_if(restart, stepper_.begun, "motion.begun = -from.at;");
   if (counts() && goes_on()) {
     Lines lines = {"if (kBegins[event]) {"};
     append(lines, restart, "  ");

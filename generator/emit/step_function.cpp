@@ -23,19 +23,11 @@ namespace {
 /// The dynamics of one phase: the call, and zeros for the reactions that it does not have.
 std::vector<std::string> dynamics_lines(const Stepper& stepper, const StepPhase& phase) {
   std::vector<std::string> arguments = {"q", "qd", "tau"};
-  if (phase.takes_time) {
-    arguments.emplace_back("t");
-  }
-  if (phase.takes_anchor) {
-    arguments.emplace_back("anchor");
-  }
-  if (stepper.takes_derived) {
-    arguments.emplace_back("derived");
-  }
+  append_if(arguments, phase.takes_time, "t");
+  append_if(arguments, phase.takes_anchor, "anchor");
+  append_if(arguments, stepper.takes_derived, "derived");
   arguments.emplace_back("qdd");
-  if (phase.rows > 0) {
-    arguments.emplace_back("lambda");
-  }
+  append_if(arguments, phase.rows > 0, "lambda");
   std::vector<std::string> lines = {
       call_text("const int failed = " + phase.dynamics, arguments, 4)};
   for (int k = phase.rows; k < stepper.rows; ++k) {
@@ -60,13 +52,9 @@ std::string dispatch(const Stepper& stepper) {
                                        used ? "" : "*/", array.size));
     }
   }
-  if (stepper.takes_derived) {
-    parameters.push_back(derived_parameter());
-  }
+  append_if(parameters, stepper.takes_derived, derived_parameter());
   parameters.push_back(fmt::format("Scalar qdd[{}]", n));
-  if (stepper.rows > 0) {
-    parameters.push_back(fmt::format("Scalar lambda[{}]", stepper.rows));
-  }
+  append_if(parameters, stepper.rows > 0, fmt::format("Scalar lambda[{}]", stepper.rows));
   std::vector<std::string> lines = {"switch (which) {"};
   for (const StepPhase& phase : stepper.phases) {
     lines.push_back(fmt::format("  case phase::{}: {{", phase.identifier));

@@ -108,19 +108,11 @@ std::vector<std::string> context(const Stepper& stepper, const std::string& whic
                                  const std::string& t, bool parameters) {
   const char* const type = parameters ? "const Scalar* " : "";
   std::vector<std::string> result;
-  if (stepper.switches()) {
-    result.push_back((parameters ? "int " : "") + which);
-  }
+  append_if(result, stepper.switches(), (parameters ? "int " : "") + which);
   result.push_back(fmt::format("{}tau", type));
-  if (stepper.takes_time) {
-    result.push_back(type + t);
-  }
-  if (stepper.takes_anchor) {
-    result.push_back(fmt::format("{}anchor", type));
-  }
-  if (stepper.takes_derived) {
-    result.push_back(parameters ? derived_parameter() : "derived");
-  }
+  append_if(result, stepper.takes_time, type + t);
+  append_if(result, stepper.takes_anchor, fmt::format("{}anchor", type));
+  append_if(result, stepper.takes_derived, parameters ? derived_parameter() : "derived");
   return result;
 }
 
@@ -151,15 +143,12 @@ std::vector<std::string> integrate_list(const Stepper& stepper, bool parameters)
     result.push_back(parameters ? fmt::format("const Scalar* {}", name)
                                 : std::string(name == std::string("q") ? "x" : "v"));
   }
-  if (stepper.compensated) {
-    result.emplace_back(parameters ? "Scalar* rest_next" : "rest_next");
-  }
+  append_if(result, stepper.compensated, parameters ? "Scalar* rest_next" : "rest_next");
   result.insert(result.end(), beside.begin() + (which ? 1 : 0), beside.end());
   for (const char* const name : {"q_next", "qd_next", "lambda", "later", "halfway"}) {
     const bool told = name[0] == 'h' ? program::tells_reactions(stepper) : stepper.rows > 0;
-    if (told || name[0] == 'q') {
-      result.push_back(parameters ? fmt::format("Scalar* {}", name) : std::string(name));
-    }
+    append_if(result, told || name[0] == 'q',
+              parameters ? fmt::format("Scalar* {}", name) : std::string(name));
   }
   return result;
 }
@@ -212,9 +201,7 @@ std::string sdirk2_stages(const Stepper& stepper, Scalar scalar) {
   };
   std::vector<std::string> find = {"Scalar stage", "Scalar size", "const Scalar* x0",
                                    "const Scalar* v0", "Scalar* a"};
-  if (reacts) {
-    find.emplace_back("Scalar* lambda");
-  }
+  append_if(find, reacts, "Scalar* lambda");
   find.insert(find.end(), {"Scalar (*M)[kDof]", "int* row"});
   return fill(template_text("step_stages.cpp"),
               {{"type", type_name(scalar)},
@@ -297,9 +284,7 @@ std::string integration_end(const Stepper& stepper, Form form) {
     lines.emplace_back("return failed;");
     return joined(lines, "  ");
   }
-  if (stepper.switches()) {
-    lines.emplace_back("phase_next[0] = phase[0];");
-  }
+  append_if(lines, stepper.switches(), "phase_next[0] = phase[0];");
   lines.emplace_back("return failed | check(q_next, kDof) | check(qd_next, kDof);");
   return joined(lines, "  ");
 }

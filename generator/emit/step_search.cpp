@@ -62,9 +62,7 @@ Lines SearchWriter::look() const {
     }
     const program::Staged& guards = phase.guards.front();
     Lines inner;
-    if (program::takes_time(guards)) {
-      inner.emplace_back("const Scalar t[1] = {motion.t[0] + now.at};");
-    }
+    append_if(inner, program::takes_time(guards), "const Scalar t[1] = {motion.t[0] + now.at};");
     inner.push_back(call(guards, {"now.q", "now.qd", "t", "now.lambda"}, "now.guard"));
     inner.push_back(
         fmt::format("return below_zero({}, now);", guards.signature.outputs.front().size));
@@ -108,8 +106,7 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
         event.cause == StepCause::kFall
             ? fmt::format(" && to.guard[{}] < Scalar(0)", approach)
             : fmt::format(
-                  " &&\n    (!(from.guard[{0}] < Scalar(0)) || "
-                  "{2}from.guard[{1}], to.guard[{1}]))",
+                  " &&\n    (!(from.guard[{0}] < Scalar(0)) || {2}from.guard[{1}], to.guard[{1}]))",
                   event.guard, approach,
                   event.stops_point ? fmt::format("falls_now(from.guard[{}], ", event.guard)
                                     : "begins_to_fall(");
@@ -235,9 +232,8 @@ Lines SearchWriter::between() const {
   bool speed = false;
   for (const StepPhase& phase : stepper_.phases) {
     speed = speed || phase.guards_speed;
-    if (program::dipping(stepper_, phase).empty()) {
-      others.push_back(fmt::format("motion.which == phase::{}", phase.identifier));
-    }
+    append_if(others, program::dipping(stepper_, phase).empty(),
+              fmt::format("motion.which == phase::{}", phase.identifier));
   }
   Lines lines;
   if (!others.empty()) {
@@ -250,9 +246,7 @@ Lines SearchWriter::between() const {
   append(lines, {"const Scalar time = to.at - from.at;",
                  fmt::format("low.at = from.at + {} * time;", number("0.5"))});
   lines.push_back(fmt::format("const Scalar bend = {} * time;", number(euler ? "0.25" : "0.125")));
-  if (speed && !euler) {
-    lines.push_back(fmt::format("const Scalar rate = {} / time;", number("1.5")));
-  }
+  append_if(lines, speed && !euler, fmt::format("const Scalar rate = {} / time;", number("1.5")));
   lines.emplace_back("for (int i = 0; i < kDof; ++i) {");
   lines.push_back(
       euler
@@ -260,13 +254,11 @@ Lines SearchWriter::between() const {
                         number("0.75"), number("0.25"))
           : fmt::format("  low.q[i] = {} * (from.q[i] + to.q[i]) + bend * (from.qd[i] - to.qd[i]);",
                         number("0.5")));
-  if (speed) {
-    lines.push_back(euler
-                        ? fmt::format("  low.qd[i] = {} * (from.qd[i] + to.qd[i]);", number("0.5"))
-                        : fmt::format("  low.qd[i] =\n        rate * (to.q[i] - from.q[i]) - {} * "
-                                      "(from.qd[i] + to.qd[i]);",
-                                      number("0.25")));
-  }
+  append_if(lines, speed,
+            euler ? fmt::format("  low.qd[i] = {} * (from.qd[i] + to.qd[i]);", number("0.5"))
+                  : fmt::format("  low.qd[i] =\n        rate * (to.q[i] - from.q[i]) - {} * "
+                                "(from.qd[i] + to.qd[i]);",
+                                number("0.25")));
   lines.emplace_back("}");
   if (program::tells_reactions(stepper_)) {
     append(lines, {fmt::format("for (int i = 0; i < {}; ++i) {{", stepper_.rows),

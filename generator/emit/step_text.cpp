@@ -1,7 +1,5 @@
 #include "emit/step_text.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "emit/layout.hpp"
@@ -28,9 +26,7 @@ std::string call(const program::Staged& staged, const StateText& state, const st
       arguments.push_back(*text);
     }
   }
-  if (has(staged.signature.inputs, derived_array().name)) {
-    arguments.emplace_back(kDerivedOfMotion);
-  }
+  append_if(arguments, has(staged.signature.inputs, derived_array().name), kDerivedOfMotion);
   arguments.push_back(result);
   return fmt::format("{}({});", staged.signature.name, fmt::join(arguments, ", "));
 }

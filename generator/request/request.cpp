@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "emit/layout.hpp"
 #include "emit/shell.hpp"
 
 namespace treedyn {
@@ -106,32 +107,25 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
       {"effort", std::to_string(request.effort)},
       {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))},
       {"without", in_quotes(list_of(names_without(request)))}};
-  if (request.target.trigonometry == program::Trigonometry::kLate) {
-    options.emplace_back("trig", in_quotes("late"));
-  }
-  const auto add_word = [&](const char* option, const std::string& word) {
-    if (!word.empty()) {
-      options.emplace_back(option, in_quotes(word));
+  const auto add = [&](bool given, const char* option, const std::string& value) {
+    if (given) {
+      options.emplace_back(option, value);
     }
   };
+  const auto add_word = [&](const char* option, const std::string& word) {
+    add(!word.empty(), option, in_quotes(word));
+  };
+  add_word("trig", request.target.trigonometry == program::Trigonometry::kLate ? "late" : "");
   add_word("core", request.core);
   add_word("language", request.language == emit::Language::kC99 ? "c99" : "");
   add_word("namespace", request.space.value_or(""));
   add_word("prefix", request.prefix.value_or(""));
   add_word("section", request.section);
   add_word("units", request.metres ? "si" : "");
-  if (request.share_limbs) {
-    options.emplace_back(request.target.limb_lanes ? "limb_lanes" : "share_limbs", "true");
-  }
-  if (request.self_test) {
-    options.emplace_back("self_test", "true");
-  }
-  if (request.checked) {
-    options.emplace_back("checked", "true");
-  }
-  if (request.accuracy_samples > 0) {
-    options.emplace_back("accuracy_samples", std::to_string(request.accuracy_samples));
-  }
+  add(request.share_limbs, request.target.limb_lanes ? "limb_lanes" : "share_limbs", "true");
+  add(request.self_test, "self_test", "true");
+  add(request.checked, "checked", "true");
+  add(request.accuracy_samples > 0, "accuracy_samples", std::to_string(request.accuracy_samples));
   return options;
 }
 
@@ -139,15 +133,9 @@ namespace {
 
 std::vector<std::string> options_without_value(const Request& request) {
   std::vector<std::string> result;
-  if (request.share_limbs) {
-    result.emplace_back(sharing_option(request));
-  }
-  if (request.self_test) {
-    result.emplace_back("--self-test");
-  }
-  if (request.checked) {
-    result.emplace_back("--checked");
-  }
+  emit::append_if(result, request.share_limbs, sharing_option(request));
+  emit::append_if(result, request.self_test, "--self-test");
+  emit::append_if(result, request.checked, "--checked");
   return result;
 }
 
