@@ -1,5 +1,7 @@
 #include "cli/study_parts.hpp"
 
+#include <algorithm>
+#include <concepts>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -7,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -25,23 +28,43 @@ using accuracy::Reference;
 /// Words, one behind the other.
 class Writer {
  public:
-  void operator()(const std::string& text) { out_ << std::quoted(text) << '\n'; }
-  void operator()(long number) { out_ << number << '\n'; }
-  void operator()(int number) { (*this)(static_cast<long>(number)); }
-  void operator()(long double number) {
-    char text[64];
-    std::snprintf(text, sizeof(text), "%La", number);
-    out_ << text << '\n';
+  template <class... Values>
+  void operator()(const Values&... values) {
+    (put(values), ...);
   }
-  void operator()(double number) { (*this)(static_cast<long double>(number)); }
-  /// The number of elements.
-  template <class Container>
-  void size(const Container& all) {
-    (*this)(static_cast<long>(all.size()));
-  }
+
   [[nodiscard]] std::string text() const { return out_.str(); }
 
  private:
+  void put(const std::string& text) { out_ << std::quoted(text) << '\n'; }
+  void put(accuracy::Error error) { put(static_cast<int>(error)); }
+  void put(const std::integral auto& number) { out_ << number << '\n'; }
+  void put(const std::floating_point auto& number) {
+    char text[64];
+    std::snprintf(text, sizeof(text), "%La", static_cast<long double>(number));
+    out_ << text << '\n';
+  }
+
+  template <class Value>
+  void put(const std::vector<Value>& all) {
+    put(all.size());
+    std::ranges::for_each(all, [this](const Value& value) { put(value); });
+  }
+
+  template <class Key, class Value>
+  void put(const std::map<Key, Value>& all) {
+    put(all.size());
+    for (const auto& [key, value] : all) {
+      put(key);
+      put(value);
+    }
+  }
+
+  template <class Record>
+  void put(const Record& record) {
+    exchange(*this, record);
+  }
+
   std::ostringstream out_;
 };
 
@@ -50,23 +73,9 @@ class Reader {
  public:
   explicit Reader(const std::string& text) : in_(text) {}
 
-  void operator()(std::string& text) { in_ >> std::quoted(text); }
-  void operator()(long& number) { number = std::strtol(word().c_str(), nullptr, 10); }
-  void operator()(int& number) {
-    long read = 0;
-    (*this)(read);
-    number = static_cast<int>(read);
-  }
-  void operator()(long double& number) { number = std::strtold(word().c_str(), nullptr); }
-  void operator()(double& number) {
-    long double read = 0;
-    (*this)(read);
-    number = static_cast<double>(read);
-  }
-  long size() {
-    long number = 0;
-    (*this)(number);
-    return number;
+  template <class... Values>
+  void operator()(Values&... values) {
+    (take(values), ...);
   }
 
  private:
@@ -78,130 +87,90 @@ class Reader {
     return result;
   }
 
+  long whole() { return std::strtol(word().c_str(), nullptr, 10); }
+  void take(std::string& text) { in_ >> std::quoted(text); }
+  void take(accuracy::Error& error) { error = static_cast<accuracy::Error>(whole()); }
+  template <std::integral Number>
+  void take(Number& number) {
+    number = static_cast<Number>(whole());
+  }
+  template <std::floating_point Number>
+  void take(Number& number) {
+    number = static_cast<Number>(std::strtold(word().c_str(), nullptr));
+  }
+
+  template <class Value>
+  void take(std::vector<Value>& all) {
+    all.resize(static_cast<std::size_t>(whole()));
+    std::ranges::for_each(all, [this](Value& value) { take(value); });
+  }
+
+  template <class Key, class Value>
+  void take(std::map<Key, Value>& all) {
+    for (long left = whole(); left > 0; --left) {
+      Key key{};
+      take(key);
+      take(all[key]);
+    }
+  }
+
+  template <class Record>
+  void take(Record& record) {
+    exchange(*this, record);
+  }
+
   std::istringstream in_;
 };
 
-template <class Value>
-void exchange(Writer& words, const std::vector<Value>& all) {
-  words.size(all);
-  for (const Value& value : all) {
-    exchange(words, value);
-  }
-}
-template <class Value>
-void exchange(Reader& words, std::vector<Value>& all) {
-  all.resize(static_cast<std::size_t>(words.size()));
-  for (Value& value : all) {
-    exchange(words, value);
-  }
+/// In one order for both directions; records are const where they are written.
+template <class T, class Record>
+concept Is = std::same_as<std::remove_const_t<T>, Record>;
+
+template <class Words>
+void exchange(Words& words, Is<SteppedEvent> auto& event) {
+  words(event.number, event.at);
 }
 
-void exchange(Writer& words, long value) { words(value); }
-void exchange(Reader& words, long& value) { words(value); }
-void exchange(Writer& words, double value) { words(value); }
-void exchange(Reader& words, double& value) { words(value); }
-void exchange(Writer& words, long double value) { words(value); }
-void exchange(Reader& words, long double& value) { words(value); }
-
-template <class Value>
-void exchange(Writer& words, const std::map<accuracy::Error, Value>& all) {
-  words.size(all);
-  for (const auto& [error, value] : all) {
-    words(static_cast<int>(error));
-    exchange(words, value);
-  }
-}
-template <class Value>
-void exchange(Reader& words, std::map<accuracy::Error, Value>& all) {
-  for (long left = words.size(); left > 0; --left) {
-    int error = 0;
-    words(error);
-    exchange(words, all[static_cast<accuracy::Error>(error)]);
-  }
+template <class Words>
+void exchange(Words& words, Is<OffRows> auto& off) {
+  words(off.length, off.angle, off.speed, off.rate);
 }
 
-/// In one order for both directions; `Event`, `Known`, `Result` are const where they are written.
-template <class Words, class Event>
-void event(Words& words, Event& event) {
-  words(event.number);
-  words(event.at);
-}
-void exchange(Writer& words, const SteppedEvent& one) { event(words, one); }
-void exchange(Reader& words, SteppedEvent& one) { event(words, one); }
-
-template <class Words, class One>
-void motion(Words& words, One& one) {
-  exchange(words, one.q);
-  exchange(words, one.qd);
-  words(one.status);
-  exchange(words, one.events);
-  words(one.off.length);
-  words(one.off.angle);
-  words(one.off.speed);
-  words(one.off.rate);
-}
-void exchange(Writer& words, const Motion& one) { motion(words, one); }
-void exchange(Reader& words, Motion& one) { motion(words, one); }
-
-template <class Words, class Known>
-void known(Words& words, Known& all) {
-  words(all.reference.methods);
-  words(all.reference.agreement);
-  exchange(words, all.reference.differences);
-  words(all.reference.check);
-  words(all.reference.check_difference);
-  words(all.reference.check_error);
-  exchange(words, all.exact);
+template <class Words>
+void exchange(Words& words, Is<Motion> auto& motion) {
+  words(motion.q, motion.qd, motion.status, motion.events, motion.off);
 }
 
-template <class Words, class Cost>
-void cost(Words& words, Cost& all) {
-  words(all.add);
-  words(all.mul);
-  words(all.div);
-  words(all.sqrt);
-  words(all.sin);
-  words(all.cos);
-  words(all.fused);
-}
-void exchange(Writer& words, const program::Cost& one) { cost(words, one); }
-void exchange(Reader& words, program::Cost& one) { cost(words, one); }
-
-template <class Words, class Phase>
-void phase(Words& words, Phase& one) {
-  exchange(words, one.cost);
-  exchange(words, one.repeated_costs);
-  words(one.count.steps);
-  exchange(words, one.count.repeated);
-  exchange(words, one.count.most);
-}
-void exchange(Writer& words, const accuracy::PhaseSteps& one) { phase(words, one); }
-void exchange(Reader& words, accuracy::PhaseSteps& one) { phase(words, one); }
-
-void sizes(Writer& words, const std::map<std::string, accuracy::Size>& all) {
-  words.size(all);
-  for (const auto& [core, size] : all) {
-    words(core);
-    words(size.flash);
-    words(size.stack);
-  }
-}
-void sizes(Reader& words, std::map<std::string, accuracy::Size>& all) {
-  for (long left = words.size(); left > 0; --left) {
-    std::string core;
-    words(core);
-    words(all[core].flash);
-    words(all[core].stack);
-  }
+template <class Words>
+void exchange(Words& words, Is<Reference> auto& all) {
+  words(all.methods, all.agreement, all.differences, all.check, all.check_difference,
+        all.check_error);
 }
 
-template <class Words, class Result>
-void result(Words& words, Result& all) {
-  exchange(words, all.phases);
-  exchange(words, all.errors);
-  words(all.status);
-  words(all.time);
-  sizes(words, all.sizes);
+template <class Words>
+void exchange(Words& words, Is<KnownReference> auto& all) {
+  words(all.reference, all.exact);
+}
+
+template <class Words>
+void exchange(Words& words, Is<program::Cost> auto& cost) {
+  words(cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos, cost.fused);
+}
+
+template <class Words>
+void exchange(Words& words, Is<accuracy::PhaseSteps> auto& phase) {
+  words(phase.cost, phase.repeated_costs, phase.count.steps, phase.count.repeated,
+        phase.count.most);
+}
+
+template <class Words>
+void exchange(Words& words, Is<accuracy::Size> auto& size) {
+  words(size.flash, size.stack);
+}
+
+template <class Words>
+void exchange(Words& words, Is<Outcome> auto& all) {
+  words(all.phases, all.errors, all.status, all.time, all.sizes);
 }
 
 constexpr const char* kEnding = ".part";
@@ -255,16 +224,15 @@ std::optional<std::string> StudyParts::read(const std::string& part) const {
     return std::nullopt;
   }
   if (!names_a_study(*text)) {
-    throw InputError({path(part), 1, 0},
-                     "is damaged: no part of a study begins like this; expected the part as it was "
-                     "written");
+    throw InputError(
+        {path(part), 1, 0},
+        "is damaged: no part of a study begins like this; expected the part as it was written");
   }
-  throw InputError({path(part), is_ours ? 2 : 1, 0},
-                   is_ours
-                       ? "is another part of the study, or was changed; expected the part as it "
-                         "was written"
-                       : "is of another study, of other options, scene, model or version; "
-                         "expected another folder");
+  throw InputError(
+      {path(part), is_ours ? 2 : 1, 0},
+      is_ours ? "is another part of the study, or was changed; expected the part as it was written"
+              : "is of another study, of other options, scene, model or version; expected another "
+                "folder");
 }
 
 void StudyParts::write(const std::string& part, const std::string& text) const {
@@ -273,48 +241,43 @@ void StudyParts::write(const std::string& part, const std::string& text) const {
   }
 }
 
-std::optional<KnownReference> StudyParts::reference() const {
-  const std::optional<std::string> text = read("reference");
+template <class Value>
+std::optional<Value> StudyParts::found(const std::string& part, Value value) const {
+  const std::optional<std::string> text = read(part);
   if (!text) {
     return std::nullopt;
   }
-  KnownReference all;
-  Reader words(*text);
   try {
-    known(words, all);
+    Reader words(*text);
+    words(value);
   } catch (const std::runtime_error& problem) {
-    throw InputError({path("reference"), 0, 0}, problem.what());
+    throw InputError({path(part), 0, 0}, problem.what());
   }
-  return all;
+  return value;
 }
 
-void StudyParts::keep(const KnownReference& reference) const {
+template <class Value>
+void StudyParts::keep_as(const std::string& part, const Value& value) const {
   Writer words;
-  known(words, reference);
-  write("reference", words.text());
+  words(value);
+  write(part, words.text());
 }
+
+std::optional<KnownReference> StudyParts::reference() const {
+  return found("reference", KnownReference{});
+}
+
+void StudyParts::keep(const KnownReference& reference) const { keep_as("reference", reference); }
 
 std::optional<Outcome> StudyParts::outcome(std::size_t number,
                                            const accuracy::Setting& setting) const {
-  const std::optional<std::string> text = read(name_of(number));
-  if (!text) {
-    return std::nullopt;
-  }
   Outcome all;
   all.setting = setting;
-  Reader words(*text);
-  try {
-    result(words, all);
-  } catch (const std::runtime_error& problem) {
-    throw InputError({path(name_of(number)), 0, 0}, problem.what());
-  }
-  return all;
+  return found(name_of(number), std::move(all));
 }
 
 void StudyParts::keep(std::size_t number, const Outcome& outcome) const {
-  Writer words;
-  result(words, outcome);
-  write(name_of(number), words.text());
+  keep_as(name_of(number), outcome);
 }
 
 void remove_parts(const std::string& folder) {

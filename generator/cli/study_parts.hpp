@@ -38,6 +38,11 @@ class StudyParts {
  private:
   [[nodiscard]] std::string path(const std::string& part) const;
   [[nodiscard]] std::optional<std::string> read(const std::string& part) const;
+  /// \param value  what the part does not hold of it is there
+  template <class Value>
+  [[nodiscard]] std::optional<Value> found(const std::string& part, Value value) const;
+  template <class Value>
+  void keep_as(const std::string& part, const Value& value) const;
   void write(const std::string& part, const std::string& text) const;
 
   std::string folder_;
