@@ -36,13 +36,17 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::IsMember(words).description("");
 }
 
+CLI::Option* add_word(CLI::App& command, const std::string& name, const std::string& type,
+                      const std::string& help, const std::function<void(const std::string&)>& set) {
+  return command.add_option_function<std::string>(name, set, help)->type_name(type);
+}
+
 CLI::Option* add_choice(CLI::App& command, const std::string& name,
                         const std::vector<std::string>& words,
                         const std::function<void(const std::string&)>& set,
                         const std::string& help) {
-  return command.add_option_function<std::string>(name, set, help)
-      ->check(one_of(words))
-      ->type_name(fmt::format("{}", fmt::join(words, "|")));
+  return add_word(command, name, fmt::format("{}", fmt::join(words, "|")), help, set)
+      ->check(one_of(words));
 }
 
 namespace {
@@ -50,20 +54,16 @@ namespace {
 /// A word of the user's that the output takes as a name.
 void add_output_word(CLI::App& command, const char* option, const char* what, const char* help,
                      const std::function<void(const std::string&)>& set) {
-  command
-      .add_option_function<std::string>(
+  add_word(command, option, "NAME", help, [option, what, set](const std::string& word) {
+    if (to_identifier(word) != word || is_reserved(word)) {
+      throw CLI::ValidationError(
           option,
-          [option, what, set](const std::string& word) {
-            if (to_identifier(word) != word || is_reserved(word)) {
-              throw CLI::ValidationError(
-                  option, fmt::format("{} is not usable as {}; expected an identifier that C++ and "
-                                      "its library leave free",
-                                      shown(word), what));
-            }
-            set(word);
-          },
-          help)
-      ->type_name("NAME");
+          fmt::format(
+              "{} is not usable as {}; expected an identifier that C++ and its library leave free",
+              shown(word), what));
+    }
+    set(word);
+  });
 }
 
 void add_language(CLI::App& command, Request& request) {
@@ -93,10 +93,10 @@ void set_functions(Request& request, const std::string& list) {
   known.insert(known.end(), of_scenes.begin(), of_scenes.end());
   for (const std::string& name : split(list, ',')) {
     if (is_reserved_word(name)) {
-      throw CLI::ValidationError(
-          "--functions", fmt::format("{} is a reserved word and no name of a function; expected "
-                                     "another name, or some of {}",
-                                     shown(name), fmt::join(known, ",")));
+      throw CLI::ValidationError("--functions",
+                                 fmt::format("{} is a reserved word and no name of a function; "
+                                             "expected another name, or some of {}",
+                                             shown(name), fmt::join(known, ",")));
     }
     const bool may_be_users = !name.empty() && to_identifier(name) == name;
     if (!may_be_users && std::ranges::find(known, name) == known.end()) {
@@ -129,8 +129,7 @@ void set_forward_dynamics(Request& request, const std::string& choice) {
 void set_without(Request& request, const std::string& list) {
   for (const std::string& name : split(list, ',')) {
     const auto& known = formulate::passes();
-    const auto found = std::ranges::find_if(
-        known, [&](const formulate::PassInfo& info) { return name == info.name; });
+    const auto found = std::ranges::find(known, name, &formulate::PassInfo::name);
     if (found == known.end()) {
       throw CLI::ValidationError(
           "--without", fmt::format("there is no pass {}; expected some of {}", shown(name),
@@ -158,8 +157,8 @@ void add_checked(CLI::App& command, Request& request) {
       "--self-test", request.self_test,
       "known answers from 50 digits, and a function self_test that compares with them");
   command.add_flag("--checked", request.checked,
-                   "beside functions that can fail NAME_checked, which return a status: a pivot "
-                   "of A that is not safely above zero, what is not a number");
+                   "beside functions that can fail NAME_checked, which return a status: a pivot of "
+                   "A that is not safely above zero, what is not a number");
 }
 
 }  // namespace
@@ -170,33 +169,27 @@ void add_model(CLI::App& command, Request& request) {
           "MODEL", request.model,
           "URDF (*.urdf) or tree description (*.yaml, *.yml, *.json); -: YAML on standard input")
       ->required();
-  command
-      .add_option_function<std::string>(
-          "--base",
-          [&request](const std::string& base) {
-            if (base == "free") {
-              throw CLI::ValidationError("--base", "free is not there yet; expected fixed or axes");
-            }
-            if (base != "fixed" && base != "axes") {
-              throw CLI::ValidationError(
-                  "--base", fmt::format("{} is no base; expected fixed or axes", shown(base)));
-            }
-            request.read.base =
-                base == "axes" ? description::Base::kAxes : description::Base::kFixed;
-          },
-          "what carries the root: fixed (the ground), axes (six joints); default fixed")
-      ->type_name("fixed|axes");
-  command
-      .add_option_function<std::string>(
-          "--snap",
-          [&request](const std::string& text) {
-            request.read.snap = number("--snap", text);
-            if (request.read.snap < 0) {
-              throw CLI::ValidationError("--snap", "a tolerance is not negative");
-            }
-          },
-          "tolerance in rad below which decimals become exact angles; default 1e-9, 0: off")
-      ->type_name("TOL");
+  add_word(
+      command, "--base", "fixed|axes",
+      "what carries the root: fixed (the ground), axes (six joints); default fixed",
+      [&request](const std::string& base) {
+        if (base == "free") {
+          throw CLI::ValidationError("--base", "free is not there yet; expected fixed or axes");
+        }
+        if (base != "fixed" && base != "axes") {
+          throw CLI::ValidationError(
+              "--base", fmt::format("{} is no base; expected fixed or axes", shown(base)));
+        }
+        request.read.base = base == "axes" ? description::Base::kAxes : description::Base::kFixed;
+      });
+  add_word(command, "--snap", "TOL",
+           "tolerance in rad below which decimals become exact angles; default 1e-9, 0: off",
+           [&request](const std::string& text) {
+             request.read.snap = number("--snap", text);
+             if (request.read.snap < 0) {
+               throw CLI::ValidationError("--snap", "a tolerance is not negative");
+             }
+           });
   add_choice(
       command, "--mimic", {"reduce", "independent"},
       [&request](const std::string& mimic) {
@@ -209,18 +202,15 @@ void add_model(CLI::App& command, Request& request) {
 namespace {
 
 void add_runtime(CLI::App& command, Request& request) {
-  command
-      .add_option_function<std::string>(
-          "--runtime",
-          [&request](const std::string& list) {
-            for (const std::string& name : split(list, ',')) {
-              request.read.runtime.push_back(name);
-            }
-          },
-          "numbers that are known at run time only, comma-separated LINK.mass, LINK.com, "
-          "LINK.inertia, LINK.offset, POINT.at, one of their components (LINK.com.x), gravity: "
-          "fields of a struct Parameters; info prints what each costs")
-      ->type_name("LIST");
+  add_word(command, "--runtime", "LIST",
+           "numbers that are known at run time only, comma-separated LINK.mass, LINK.com, "
+           "LINK.inertia, LINK.offset, POINT.at, one of their components (LINK.com.x), gravity: "
+           "fields of a struct Parameters; info prints what each costs",
+           [&request](const std::string& list) {
+             for (const std::string& name : split(list, ',')) {
+               request.read.runtime.push_back(name);
+             }
+           });
 }
 
 /// What goes before the `stepping` of a scene.
@@ -229,12 +219,8 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
       .add_option("--integrator", stepping.integrator, "of the scene's step, instead of its own")
       ->check(one_of(model::step_method_names()))
       ->type_name("NAME");
-  command
-      .add_option_function<std::string>(
-          "--step",
-          [&stepping](const std::string& text) { stepping.step = positive("--step", text); },
-          "length of the scene's step in s, instead of its own")
-      ->type_name("S");
+  add_word(command, "--step", "S", "length of the scene's step in s, instead of its own",
+           [&stepping](const std::string& text) { stepping.step = positive("--step", text); });
   command
       .add_option("--cuts", stepping.cuts, "shorter steps that look for an event; 0: at the end")
       ->check(CLI::Range(0, model::kMostCuts))
@@ -251,10 +237,10 @@ void settle_vectors(Request& request) {
   const bool room = room_for_vectors(request);
   request.target.vectors = request.vectors.value_or(room);
   if (request.target.vectors && !room) {
-    throw CLI::ValidationError("--sincos vector",
-                               "all angles of one state first, in C++; expected 1 lane, no "
-                               "--trig late (with --core of a microcontroller: --trig early), no "
-                               "--section and no --language c99");
+    throw CLI::ValidationError(
+        "--sincos vector",
+        "all angles of one state first, in C++; expected 1 lane, no --trig late (with --core of a "
+        "microcontroller: --trig early), no --section and no --language c99");
   }
 }
 
@@ -271,25 +257,22 @@ void add_core(CLI::App& command, Request& request) {
       [&request, late](const std::string& place) {
         request.target.trigonometry = late(place == "late");
       },
-      "sines and cosines at the beginning, or just before their first use, for processors "
-      "that execute in order; default early, with --core of a microcontroller late");
+      "sines and cosines at the beginning, or just before their first use, for processors that "
+      "execute in order; default early, with --core of a microcontroller late");
   std::vector<std::string> names = words_of(accuracy::cores());
   names.insert(names.begin(), "generic");
   std::vector<std::string> known = names;
   known.emplace_back("m4");  // with its FPU
-  command
-      .add_option_function<std::string>(
-          "--core",
-          [&request, late, trig](const std::string& core) {
-            request.core = core == "generic" ? "" : core == "m4" ? "m4f" : core;
-            if (trig->count() == 0) {
-              request.target.trigonometry = late(has_late_sines(request.core));
-            }
-          },
-          "the processor: header and manifest say how to compile for it and how many cycles a call "
-          "takes (m4: m4f); default generic, which says neither")
-      ->check(one_of(known))
-      ->type_name(fmt::format("{}", fmt::join(names, "|")));
+  add_word(command, "--core", fmt::format("{}", fmt::join(names, "|")),
+           "the processor: header and manifest say how to compile for it and how many cycles a "
+           "call takes (m4: m4f); default generic, which says neither",
+           [&request, late, trig](const std::string& core) {
+             request.core = core == "generic" ? "" : core == "m4" ? "m4f" : core;
+             if (trig->count() == 0) {
+               request.target.trigonometry = late(has_late_sines(request.core));
+             }
+           })
+      ->check(one_of(known));
 }
 
 void add_target(CLI::App& command, Request& request) {
@@ -305,19 +288,16 @@ void add_target(CLI::App& command, Request& request) {
       ->check(one_of({"1", "2", "4", "8", "16"}))
       ->type_name("1|2|4|8|16")
       ->capture_default_str();
-  command
-      .add_option_function<std::string>(
-          "--sincos",
-          [&request](const std::string& choice) {
-            request.target.sincos = choice == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
-            request.vectors = choice == "vector";
-          },
-          "sine and cosine by one branch-free function in the source, without contraction the same "
-          "bits everywhere: for several angles of a function at once, as many as the processor's "
-          "vectors hold, or one by one (builtin: pair); or of the C library; default vector, and "
-          "pair in C, with --trig late, --section and for several lanes")
-      ->check(one_of({"vector", "pair", "libm", "builtin"}))
-      ->type_name("vector|pair|libm");
+  add_word(command, "--sincos", "vector|pair|libm",
+           "sine and cosine by one branch-free function in the source, without contraction the "
+           "same bits everywhere: for several angles of a function at once, as many as the "
+           "processor's vectors hold, or one by one (builtin: pair); or of the C library; default "
+           "vector, and pair in C, with --trig late, --section and for several lanes",
+           [&request](const std::string& choice) {
+             request.target.sincos = choice == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
+             request.vectors = choice == "vector";
+           })
+      ->check(one_of({"vector", "pair", "libm", "builtin"}));
   add_core(command, request);
   add_choice(
       command, "--layout", {"dense", "packed"},
@@ -328,29 +308,19 @@ void add_target(CLI::App& command, Request& request) {
 
 /// Which functions there are, and of what.
 void add_contents(CLI::App& command, Request& request) {
-  command
-      .add_option_function<std::string>(
-          "--functions", [&request](const std::string& list) { set_functions(request, list); },
-          "comma-separated; treedyn list functions names them")
-      ->type_name("LIST");
-  command
-      .add_option_function<std::string>(
-          "--equations", [&request](const std::string& file) { request.equations.push_back(file); },
-          "a file with equations of your own, may stand several times; info without a FILE: the "
-          "block equations with the zero blocks of D")
-      ->type_name("FILE")
+  add_word(command, "--functions", "LIST", "comma-separated; treedyn list functions names them",
+           [&request](const std::string& list) { set_functions(request, list); });
+  add_word(command, "--equations", "FILE",
+           "a file with equations of your own, may stand several times; info without a FILE: the "
+           "block equations with the zero blocks of D",
+           [&request](const std::string& file) { request.equations.push_back(file); })
       ->expected(0, 1)
       ->trigger_on_parse();
-  command
-      .add_option_function<std::string>(
-          "--points", [&request](const std::string& list) { request.points = list; },
-          "comma-separated name, name=link, name=link:x,y,z, or all; default: the model's points")
-      ->type_name("LIST");
-  command
-      .add_option_function<std::string>(
-          "--gravity", [&request](const std::string& text) { set_gravity(request, text); },
-          "m/s^2 in the base frame; default 0,0,-9.81")
-      ->type_name("x,y,z");
+  add_word(command, "--points", "LIST",
+           "comma-separated name, name=link, name=link:x,y,z, or all; default: the model's points",
+           [&request](const std::string& list) { request.points = list; });
+  add_word(command, "--gravity", "x,y,z", "m/s^2 in the base frame; default 0,0,-9.81",
+           [&request](const std::string& text) { set_gravity(request, text); });
 }
 
 /// How formulations are looked for and measured.
@@ -370,16 +340,14 @@ void add_formulation(CLI::App& command, Request& request) {
                                 "threads, which decide no byte; default: cores of the machine")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  command
-      .add_option_function<std::string>(
-          "--without", [&request](const std::string& list) { set_without(request, list); },
-          "passes to switch off, comma-separated; treedyn info --passes shows what each one gains")
-      ->type_name("LIST");
+  add_word(command, "--without", "LIST",
+           "passes to switch off, comma-separated; treedyn info --passes shows what each one gains",
+           [&request](const std::string& list) { set_without(request, list); });
   add_choice(
       command, "--units", {"auto", "si"},
       [&request](const std::string& choice) { request.metres = choice == "si"; },
-      "unit of length inside functions: metres, or a length of the robot where that saves 2 % "
-      "of the operations; default auto");
+      "unit of length inside functions: metres, or a length of the robot where that saves 2 % of "
+      "the operations; default auto");
   add_choice(
       command, "--forward-dynamics", {"cheapest", "factor", "articulated"},
       [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
@@ -394,18 +362,14 @@ void add_generation(CLI::App& command, Request& request) {
   add_checked(command, request);
   add_runtime(command, request);
   add_stepping(command, request.stepping);
-  command
-      .add_option_function<std::string>(
-          "--settings", [&request](const std::string& file) { request.settings.push_back(file); },
-          "a file with options of this list, a line each: scalar = \"float\"; accuracy --target "
-          "writes one")
-      ->type_name("FILE");
+  add_word(command, "--settings", "FILE",
+           "a file with options of this list, a line each: scalar = \"float\"; accuracy --target "
+           "writes one",
+           [&request](const std::string& file) { request.settings.push_back(file); });
   command.get_option("MODEL")->required(false);
-  command
-      .add_option_function<std::string>(
-          "--scene", [&request](const std::string& file) { request.scene = file; },
-          "a scene: its model, effects and functions instead of a MODEL")
-      ->type_name("FILE");
+  add_word(command, "--scene", "FILE",
+           "a scene: its model, effects and functions instead of a MODEL",
+           [&request](const std::string& file) { request.scene = file; });
   add_language(command, request);
   add_target(command, request);
   add_contents(command, request);

@@ -23,6 +23,9 @@ Real positive(const std::string& option, const std::string& text);
 /// A check whose words the option's type name already shows.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
+/// An option of one word, which the help shows as `type`; `set` gets it.
+CLI::Option* add_word(CLI::App& command, const std::string& name, const std::string& type,
+                      const std::string& help, const std::function<void(const std::string&)>& set);
 /// An option of a few words, which its type name shows; `set` gets the one that is given.
 CLI::Option* add_choice(CLI::App& command, const std::string& name,
                         const std::vector<std::string>& words,

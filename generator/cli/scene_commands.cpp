@@ -27,14 +27,9 @@ namespace {
 template <class Value>
 void add_positive(CLI::App& command, const std::string& name, const std::string& what,
                   const char* type, std::optional<Value>& value) {
-  command
-      .add_option_function<std::string>(
-          name,
-          [name, &value](const std::string& text) {
-            value = static_cast<Value>(positive(name, text));
-          },
-          what)
-      ->type_name(type);
+  add_word(command, name, type, what, [name, &value](const std::string& text) {
+    value = static_cast<Value>(positive(name, text));
+  });
 }
 
 /// An option whose value is a number of bytes, 4096 or 4k.
@@ -50,8 +45,7 @@ void add_bytes(CLI::App& command, const std::string& name, std::optional<long>& 
     }
     value = static_cast<long>(bytes);
   };
-  command.add_option_function<std::string>(name, set, "bytes that the choice may take, or 64k")
-      ->type_name("N");
+  add_word(command, name, "N", "bytes that the choice may take, or 64k", set);
 }
 
 /// What a study varies besides scalar, integrator and step, only if it is asked to.
@@ -176,15 +170,12 @@ void add_parts(CLI::App& command, AccuracyRequest& request) {
       ->type_name("N")
       ->needs(parts)
       ->excludes("--plan");
-  command
-      .add_option_function<std::string>(
-          "--gather",
-          [&request](const std::string& folder) {
-            request.parts = folder;
-            request.joined = true;
-          },
-          "measure nothing: all settings are in the folder that --parts had")
-      ->type_name("DIR")
+  add_word(command, "--gather", "DIR",
+           "measure nothing: all settings are in the folder that --parts had",
+           [&request](const std::string& folder) {
+             request.parts = folder;
+             request.joined = true;
+           })
       ->excludes("--plan", "--part", "--parts");
 }
 
