@@ -90,61 +90,54 @@ int VariantSearch::optimised_cost(const Variant& variant) {
 }
 
 template <class Evaluate>
-void VariantSearch::descend(Variant& variant, int& cost, int limit, Evaluate evaluate) {
+void VariantSearch::descend(Candidate& best, int limit, Evaluate evaluate) {
   std::vector<std::size_t> order(choices_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (bool improved = true; improved;) {
     for (std::size_t i = order.size(); i > 1; --i) {
       std::swap(order[i - 1], order[random(i)]);
     }
-    improved = descend_once(variant, cost, limit, order, evaluate);
+    improved = descend_once(best, limit, order, evaluate);
   }
 }
 
 template <class Evaluate>
-bool VariantSearch::descend_once(Variant& variant, int& cost, int limit,
-                                 const std::vector<std::size_t>& order, Evaluate& evaluate) {
+bool VariantSearch::descend_once(Candidate& best, int limit, const std::vector<std::size_t>& order,
+                                 Evaluate& evaluate) {
   bool improved = false;
   for (const std::size_t n : order) {
     for (int setting = 0; setting < choices_[n].settings; ++setting) {
       if (moves_ <= limit) {
         return false;
       }
-      Variant trial = variant;
+      Variant trial = best.variant;
       choices_[n].set(trial, setting);
-      const int trial_cost = evaluate(trial);
-      if (trial_cost < cost) {
-        cost = trial_cost;
-        variant = trial;
-        improved = true;
-      }
+      improved = best.improve(trial, evaluate(trial)) || improved;
     }
   }
   return improved;
 }
 
 template <class Evaluate>
-bool VariantSearch::cut_run(const Choice& run, Variant& best, int& cost, Evaluate& evaluate) {
-  const int before = cost;
+bool VariantSearch::cut_run(const Choice& run, Candidate& best, Evaluate& evaluate) {
+  const int before = best.cost;
   for (int setting = 0; setting < run.settings && moves_ > 0; ++setting) {
-    Variant trial = best;
+    Variant trial = best.variant;
     run.set(trial, setting);
-    if (const int trial_cost = evaluate(trial); trial_cost < cost) {
-      cost = trial_cost;
-      best = trial;
-      descend(best, cost, 0, evaluate);
+    if (best.improve(trial, evaluate(trial))) {
+      descend(best, 0, evaluate);
     }
   }
-  return cost < before;
+  return best.cost < before;
 }
 
 template <class Evaluate>
-void VariantSearch::cut_runs(Variant& best, int& cost, Evaluate evaluate) {
+void VariantSearch::cut_runs(Candidate& best, Evaluate evaluate) {
   const std::vector<Choice> runs = run_choices_of(tree_, options_);
   for (bool improved = true; improved;) {
     improved = false;
     for (const Choice& run : runs) {
-      improved = cut_run(run, best, cost, evaluate) || improved;
+      improved = cut_run(run, best, evaluate) || improved;
     }
   }
 }
@@ -161,52 +154,43 @@ Variant VariantSearch::perturbed(Variant variant) {
 /// Threshold accepting: a random change is kept if it costs at most `tolerance` more, which shrinks
 /// to nothing over a cycle; the next cycle starts from the best variant found.
 template <class Evaluate>
-void VariantSearch::anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate) {
+void VariantSearch::anneal(Candidate& best, int limit, int cycle, Evaluate evaluate) {
   const int most_attempts = 20 * std::max(moves_ - limit, 0);  // a bound where few variants exist
-  Variant current = best;
-  int current_cost = best_cost;
+  Candidate current = best;
   for (int attempt = 0; attempt < most_attempts && moves_ > limit; ++attempt) {
     const int phase = attempt % cycle;
     if (phase == 0) {
       current = best;
-      current_cost = best_cost;
     }
-    const int tolerance = best_cost / 25 * (cycle - phase) / cycle;
-    const Variant trial = perturbed(current);
+    const int tolerance = best.cost / 25 * (cycle - phase) / cycle;
+    const Variant trial = perturbed(current.variant);
     const int cost = evaluate(trial);
-    if (cost <= current_cost + static_cast<int>(random(static_cast<std::size_t>(tolerance) + 1))) {
-      current = trial;
-      current_cost = cost;
-      if (cost < best_cost) {
-        best = trial;
-        best_cost = cost;
-      }
+    if (cost <= current.cost + static_cast<int>(random(to_index(tolerance) + 1))) {
+      current = {trial, cost};
+      best.improve(trial, cost);
     }
   }
 }
 
 /// Tries to do without each pass that is on, for the whole tree: no pass may add operations. Sums
 /// of angles never do.
-void VariantSearch::drop_what_does_not_pay(Variant& variant, int& cost) {
+void VariantSearch::drop_what_does_not_pay(Candidate& best) {
   const auto consider = [&](const Variant& trial) {
-    if (const int trial_cost = raw_cost(trial); trial_cost < cost) {
-      cost = trial_cost;
-      variant = trial;
-    }
+    best.improve(trial, raw_cost(trial));
   };
   std::vector<int> links(tree_.links.size());
   std::iota(links.begin(), links.end(), 0);
   for (const PassInfo& info : passes()) {
     if (options_.has(info.pass) && info.pass != Pass::kSums) {
-      Variant trial = variant;
+      Variant trial = best.variant;
       switch_off({info.pass}, trial);
       consider(trial);
       if (info.pass == Pass::kParallel) {
-        trial = variant;
+        trial = best.variant;
         set_links(trial, links, &LinkVariant::cut, std::uint8_t{0});
         consider(trial);
       } else if (info.pass == Pass::kPseudoInertia) {
-        trial = variant;
+        trial = best.variant;
         set_links(trial, links, &LinkVariant::tensor_moment, true);
         consider(trial);
       }
@@ -233,46 +217,38 @@ void VariantSearch::run() {
   const auto optimised = [this](const Variant& variant) {
     return optimised_cost(variant);
   };
-  Variant best = finalists_.front().second;
-  int cost = finalists_.front().first;
-  drop_what_does_not_pay(best, cost);
+  Candidate best{finalists_.front().second, finalists_.front().first};
+  drop_what_does_not_pay(best);
   const int all = moves_;
   const int half = all / 2;
   if (!choices_.empty()) {
-    descend(best, cost, half, raw);
-    anneal(best, cost, half, kCycle, raw);
+    descend(best, half, raw);
+    anneal(best, half, kCycle, raw);
   }
-  cost = optimised_cost(best);
+  best.cost = optimised_cost(best.variant);
   for (const auto& [raw_cost, variant] : finalists_) {
-    if (const int c = half > 0 ? optimised_cost(variant) : cost; c < cost) {
-      cost = c;
-      best = variant;
-    }
+    best.improve(variant, half > 0 ? optimised_cost(variant) : best.cost);
   }
   if (!choices_.empty()) {
-    descend(best, cost, half / 2, optimised);
-    anneal(best, cost, half / 4, kCycle / 4, optimised);
-    descend(best, cost, 0, optimised);
+    descend(best, half / 2, optimised);
+    anneal(best, half / 4, kCycle / 4, optimised);
+    descend(best, 0, optimised);
     moves_ = all / kMovesForRuns;
-    cut_runs(best, cost, optimised);
+    cut_runs(best, optimised);
   }
   best_ = best;
-  best_cost_ = cost;
 }
 
 void VariantSearch::try_units_of_length(Variant other) {
   const std::size_t lengths = unit_lengths(tree_).size();
   for (std::size_t k = 0; k < lengths; ++k) {
     ++other.unit_length;
-    if (const int cost = optimised_cost(other); cost < best_cost_) {
-      best_cost_ = cost;
-      best_ = other;
-    }
+    best_.improve(other, optimised_cost(other));
   }
 }
 
 program::Function VariantSearch::result() const {
-  Built built = Formulations(tree_, recipe_, options_).build(best_);
+  Built built = Formulations(tree_, recipe_, options_).build(best_.variant);
   program::Function& function = built.function;
   std::optional<optimise::Effort> effort;
   if (options_.has(Pass::kAlgebra)) {
@@ -281,14 +257,14 @@ program::Function VariantSearch::result() const {
   if (!options_.share_limbs) {
     program::Function result =
         effort ? optimise::optimised(function, *effort) : std::move(function);
-    result.unit = unit_of(tree_, best_);
+    result.unit = unit_of(tree_, best_.variant);
     return result;
   }
   const std::size_t points = options_.points.size();
   function.signature = signature(recipe_.name, tree_.dof(), static_cast<int>(points));
   const auto code = optimise::limb_code(function, built.limbs, effort);
   program::Function result = code ? program::flat(code, function.signature) : program::Function{};
-  result.unit = unit_of(tree_, best_);
+  result.unit = unit_of(tree_, best_.variant);
   return result;
 }
 

@@ -14,6 +14,22 @@
 
 namespace treedyn::formulate {
 
+/// A variant and what it costs.
+struct Candidate {
+  Variant variant;
+  int cost = 0;
+
+  /// Becomes `other` if that costs less.
+  bool improve(const Variant& other, int other_cost) {
+    if (other_cost >= cost) {
+      return false;
+    }
+    variant = other;
+    cost = other_cost;
+    return true;
+  }
+};
+
 /// Compares variants by the operations of their formulations first, then by those that the quick
 /// algebraic passes leave: descent over single choices, threshold accepting, and a descent over
 /// pairs of choices that pay together.
@@ -26,8 +42,8 @@ class VariantSearch {
   /// Compares variants.
   void run();
   /// What `run` has chosen, and what it costs before all algebraic passes have run.
-  [[nodiscard]] const Variant& best() const { return best_; }
-  [[nodiscard]] int best_cost() const { return best_cost_; }
+  [[nodiscard]] const Variant& best() const { return best_.variant; }
+  [[nodiscard]] int best_cost() const { return best_.cost; }
   /// The best variant after the algebraic passes; with `share_limbs` empty if nothing can be
   /// shared.
   [[nodiscard]] program::Function result() const;
@@ -44,23 +60,23 @@ class VariantSearch {
   [[nodiscard]] bool is_usable(const Variant& variant) const {
     return variant.unit_length == 0 || has_unit_[to_index(variant.unit_length - 1)];
   }
-  void drop_what_does_not_pay(Variant& variant, int& cost);
+  void drop_what_does_not_pay(Candidate& best);
   int raw_cost(const Variant& variant);
   int optimised_cost(const Variant& variant);
   /// First-improvement descent over all choices in random order; stops when `limit` moves are left.
   template <class Evaluate>
-  void descend(Variant& variant, int& cost, int limit, Evaluate evaluate);
+  void descend(Candidate& best, int limit, Evaluate evaluate);
   /// One round of it: true if it improved, and all choices had their turn.
   template <class Evaluate>
-  bool descend_once(Variant& variant, int& cost, int limit, const std::vector<std::size_t>& order,
+  bool descend_once(Candidate& best, int limit, const std::vector<std::size_t>& order,
                     Evaluate& evaluate);
   /// Both choices of the runs of parallel axes at once, and a descent where that pays.
   template <class Evaluate>
-  bool cut_run(const Choice& run, Variant& best, int& cost, Evaluate& evaluate);
+  bool cut_run(const Choice& run, Candidate& best, Evaluate& evaluate);
   template <class Evaluate>
-  void cut_runs(Variant& best, int& cost, Evaluate evaluate);
+  void cut_runs(Candidate& best, Evaluate evaluate);
   template <class Evaluate>
-  void anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate);
+  void anneal(Candidate& best, int limit, int cycle, Evaluate evaluate);
   Variant perturbed(Variant variant);
   std::uint64_t random(std::size_t bound) { return generator_() % bound; }
 
@@ -71,8 +87,7 @@ class VariantSearch {
   Formulations formulations_;  ///< with stand-ins alone
   std::vector<Choice> choices_;
   std::vector<bool> has_unit_;  ///< by unit of length
-  Variant best_;
-  int best_cost_ = 0;
+  Candidate best_;
   int moves_ = 0;
   std::mt19937_64 generator_{20110602};
   Cache raw_;
