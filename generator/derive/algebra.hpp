@@ -131,6 +131,9 @@ class Algebra {
   /// Replaces the terms for which `key` is the same, if there are several, by `merged` of them.
   template <class Key, class Merged>
   void merge(Terms& terms, Key key, Merged merged);
+  /// The sum of what `operand` takes of the value of every term.
+  template <class Operand>
+  int summed(const Terms& terms, Operand operand);
 
   Values& values_;
 };

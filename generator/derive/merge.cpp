@@ -78,6 +78,15 @@ void Algebra::merge(Terms& terms, Key key, Merged merged) {
   terms = flattened(rest);
 }
 
+template <class Operand>
+int Algebra::summed(const Terms& terms, Operand operand) {
+  Terms sum;
+  for (const auto& [factor, x] : terms) {
+    sum.emplace_back(factor, operand(value(x)));
+  }
+  return linear(sum);
+}
+
 /// D x + D y = D (x + y).
 void Algebra::merge_sums(Terms& terms) {
   merge(
@@ -90,12 +99,9 @@ void Algebra::merge_sums(Terms& terms) {
                                   : std::vector<int>{};
       },
       [this](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands.front());
-        }
         const Value first = value(group.front().second);
-        return sum_along(first.op, first.set, linear(inner));
+        return sum_along(first.op, first.set,
+                         summed(group, [](const Value& v) { return v.operands[0]; }));
       });
 }
 
@@ -105,11 +111,7 @@ void Algebra::merge_skews(Terms& terms) {
       terms,
       [](const Value& v) { return v.op == Op::kSkew ? std::vector<int>{0} : std::vector<int>{}; },
       [this](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands.front());
-        }
-        return skew(linear(inner));
+        return skew(summed(group, [](const Value& v) { return v.operands[0]; }));
       });
 }
 
@@ -121,12 +123,8 @@ void Algebra::merge_seconds(Terms& terms) {
         return v.op == Op::kCross ? std::vector<int>{v.operands[1]} : std::vector<int>{};
       },
       [this](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands[0]);
-        }
         const int second = value(group.front().second).operands[1];
-        return cross(linear(inner), second);
+        return cross(summed(group, [](const Value& v) { return v.operands[0]; }), second);
       });
 }
 
@@ -201,12 +199,9 @@ void Algebra::merge_factors(Terms& terms) {
       },
       [this](const Terms& group) {
         const Value first = value(group.front().second);
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          const Value& v = value(x);
-          inner.emplace_back(factor, v.op == Op::kScale ? body_of(v) : v.operands.back());
-        }
-        const int sum = linear(inner);
+        const int sum = summed(group, [this](const Value& v) {
+          return v.op == Op::kScale ? body_of(v) : v.operands.back();
+        });
         switch (first.op) {
           case Op::kCross:
             return cross(first.operands[0], sum);
@@ -261,12 +256,8 @@ void Algebra::merge_levers(Terms& terms, std::size_t common) {
         return v.op == Op::kSkewProduct ? std::vector<int>{v.operands[common]} : std::vector<int>{};
       },
       [&](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands[1 - common]);
-        }
         const int x = value(group.front().second).operands[common];
-        const int sum = linear(inner);
+        const int sum = summed(group, [common](const Value& v) { return v.operands[1 - common]; });
         return common == 0 ? skew_product(x, sum) : skew_product(sum, x);
       });
 }
