@@ -210,41 +210,35 @@ int run_outputs(const Settings& settings) {
   return 0;
 }
 
+std::string errors_text(const Model& model, const Settings& settings) {
+  constexpr int kStates = 200;
+  const int states = settings.request.accuracy_samples;
+  const accuracy::FunctionStudy study =
+      function_accuracy(model, settings.request, states > 0 ? states : kStates, trace_of(settings));
+  return settings.json ? accuracy::functions_json(study) : accuracy::functions_text(study);
+}
+
+std::string costs_text(const Model& model, const Settings& settings) {
+  program::Programs programs = formulate_model(model, settings.request, trace_of(settings));
+  separate_parameters(model, settings.request, programs);
+  require_use_of_parameters(model, settings.request, programs);
+  programs = in_scalar(std::move(programs), model, settings.request.target.scalar);
+  return settings.json ? info_json(model, settings.request, programs)
+                       : info_text(model, settings.request, programs);
+}
+
 int run_info(const Settings& settings) {
   const Model model = read(settings.request);
   refuse_with_parameters(model, settings.errors, "--accuracy");
   refuse_with_parameters(model, settings.passes, "--passes");
   print_warnings(settings, warnings_of(model, settings.request));
-  if (settings.equations) {
-    print(equations_text(model, settings.request));
-    return 0;
-  }
-  if (!settings.derivation.empty()) {
-    print(derivation_text(model, settings.request, settings.derivation));
-    return 0;
-  }
-  if (settings.base_parameters) {
-    print(base_parameters_text(model, settings.request));
-    return 0;
-  }
-  if (settings.passes) {
-    print(passes_text(model, settings.request));
-    return 0;
-  }
-  if (settings.errors) {
-    constexpr int kStates = 200;
-    const int states = settings.request.accuracy_samples;
-    const accuracy::FunctionStudy study = function_accuracy(
-        model, settings.request, states > 0 ? states : kStates, trace_of(settings));
-    print(settings.json ? accuracy::functions_json(study) : accuracy::functions_text(study));
-    return 0;
-  }
-  program::Programs programs = formulate_model(model, settings.request, trace_of(settings));
-  separate_parameters(model, settings.request, programs);
-  require_use_of_parameters(model, settings.request, programs);
-  programs = in_scalar(std::move(programs), model, settings.request.target.scalar);
-  print(settings.json ? info_json(model, settings.request, programs)
-                      : info_text(model, settings.request, programs));
+  print(settings.equations ? equations_text(model, settings.request)
+        : !settings.derivation.empty()
+            ? derivation_text(model, settings.request, settings.derivation)
+        : settings.base_parameters ? base_parameters_text(model, settings.request)
+        : settings.passes          ? passes_text(model, settings.request)
+        : settings.errors          ? errors_text(model, settings)
+                                   : costs_text(model, settings));
   return 0;
 }
 
@@ -268,19 +262,14 @@ int run_simulate(const Settings& settings) {
   request.timed = settings.verbose;
   const SimulateResult result = simulate(request, std::ref(progress));
   progress.end();
-  for (const std::string& warning : warnings_of(result)) {
-    if (!settings.quiet) {
-      print_error(fmt::format("{}: warning: {}\n", settings.simulation.scene, warning));
-    }
-  }
-  for (const std::string& fact : facts_of(result)) {
-    trace_of(settings)(fact);
-  }
-  for (const std::string& line : status_lines(result.statuses)) {
+  const auto warn = [&](const std::string& line) {
     if (!settings.quiet) {
       print_error(fmt::format("{}: warning: {}\n", settings.simulation.scene, line));
     }
-  }
+  };
+  std::ranges::for_each(warnings_of(result), warn);
+  std::ranges::for_each(facts_of(result), trace_of(settings));
+  std::ranges::for_each(status_lines(result.statuses), warn);
   print(write_simulation(settings.simulation, result));
   if (!result.recording.stopped.empty()) {
     throw InputError(
