@@ -225,17 +225,16 @@ Step diagonal_step(const Step& a) {
 }
 
 Step folded(const Step& step, const std::vector<const Step*>& operands) {
-  std::vector<int> values(to_index(step.pattern.blocks()), 0);
+  std::vector<std::int64_t> values(to_index(step.pattern.blocks()), 0);
   for (const Term& term : step.terms) {
-    int& sum = values[to_index(term.target)];
-    sum = narrowed(sum + folded_term(step, term, operands));
+    values[to_index(term.target)] += folded_term(step, term, operands);
   }
   Rows rows(to_index(step.pattern.rows()));
   std::vector<int> kept;
   step.pattern.visit([&](int i, int j, int block) {
     if (values[to_index(block)] != 0) {
       rows[to_index(i)].push_back(j);
-      kept.push_back(values[to_index(block)]);
+      kept.push_back(narrowed(values[to_index(block)]));
     }
   });
   return constant_step(Pattern(step.pattern.cols(), rows), std::move(kept));

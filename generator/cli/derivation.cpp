@@ -206,6 +206,9 @@ std::string scene_text(const Model& model, const Request& request, const std::st
   for (const std::string& line : definitions(info.equations)) {
     result += fmt::format("  {}\n", line);
   }
+  if (solved && formulate::has_trunk(model.tree)) {
+    result += "\nwhere a scene acts on no link above it" + trunk_text(model, request);
+  }
   return result + factored_text(model, request, formulate::factored(name), {});
 }
 

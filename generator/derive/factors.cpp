@@ -193,6 +193,9 @@ bool Factoring::constrain(const Expression& motion, const Expression& rows,
   result_.derivation.shape = motion.shape();
   const int r = others.empty() ? -1 : right(others);
   const int s = right(wanted);
+  if (result_.given.size() > 1 && result_.given[0].first == result_.given[1].first) {
+    return false;  // one name for two columns
+  }
   const int jacobian = given("J^T", {{kPlus, *J_T}});
   if (!factor({{kPlus, *A}})) {
     return false;

@@ -9,7 +9,8 @@
 namespace treedyn::derive {
 namespace {
 
-constexpr int kMostValues = 5000;
+/// A hundredfold of what our equations take.
+constexpr int kMostAsked = 2000000;
 
 std::string key_of(const Value& value) {
   std::string key =
@@ -27,9 +28,9 @@ std::string key_of(const Value& value) {
 }  // namespace
 
 int Values::intern(Value value) {
-  if (size() == kMostValues) {
+  if (++asked_ > kMostAsked) {
     throw TooLarge(fmt::format(
-        "derives to more than {} values; expected fewer factors that are sums", kMostValues));
+        "takes more than {} steps to derive; expected fewer factors that are sums", kMostAsked));
   }
   const auto [place, is_new] = known_.emplace(key_of(value), size());
   if (is_new) {

@@ -128,6 +128,7 @@ class Values {
   std::vector<bool> of_unit_;
   std::vector<std::set<Rule>> made_by_;
   std::map<std::string, int> known_;
+  int asked_ = 0;  ///< how often for a value
   std::map<int, int> definitions_;
   std::set<Rule> acted_;
 };

@@ -47,9 +47,15 @@ std::optional<unsigned> escaped_at(std::string_view text, std::size_t at) {
   return is_code ? std::optional(code) : std::nullopt;
 }
 
-/// JSON escapes a character beyond 16 bits by two surrogates, YAML by one \UXXXXXXXX.
+/// JSON escapes a character beyond 16 bits by two surrogates, YAML by one \UXXXXXXXX. What follows
+/// on the line is told two columns further left. Other files are left as they are.
 std::string with_yaml_escapes(std::string text) {
   constexpr std::size_t kLength = 6;
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos || (text[begin] != '{' && text[begin] != '[') ||
+      text.find('\'') != std::string::npos) {
+    return text;
+  }
   for (std::size_t at = text.find("\\u"); at != std::string::npos; at = text.find("\\u", at + 1)) {
     const std::size_t before = text.find_last_not_of('\\', at);
     const std::size_t backslashes = before == std::string::npos ? at : at - before - 1;

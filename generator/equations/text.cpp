@@ -29,7 +29,7 @@ std::optional<block::Ratio> small(std::int64_t numerator, std::int64_t denominat
 Number number(const Real& value) {
   for (const int denominator : {1, 1000}) {
     const Real scaled = value * denominator;
-    if (scaled == floor(scaled) && abs(scaled) < kLargest) {
+    if (scaled == floor(scaled) && abs(scaled) <= kLargest * kLargest) {
       return {value, small(static_cast<std::int64_t>(scaled), denominator)};
     }
   }
@@ -63,10 +63,11 @@ Expression ones_of(const block::Side& side) {
   return side.set == block::Set::kPoints ? ones_P : ones;
 }
 
-/// A number that is not known yet times a matrix: on the diagonal where the rows are many.
+/// A single number times a matrix: on the diagonal where the rows are many, so that it multiplies
+/// what the matrix derives to.
 Expression product(const Expression& a, const Expression& b) {
   if (is_single(a) && b.shape().rows.set != block::Set::kOne) {
-    return b.shape().cols == kOne ? b * a : block::diagb(ones_of(b.shape().rows) * a) * b;
+    return block::diagb(ones_of(b.shape().rows) * a) * b;
   }
   if (is_single(b) && a.shape().cols.set != block::Set::kOne) {
     return a.shape().rows == kOne ? b * a : product(b, a);

@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "block/plan.hpp"
 #include "block/print.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "common/transformed.hpp"
+#include "equations/kinematics.hpp"
 #include "equations/reading.hpp"
 #include "equations/symbol_names.hpp"
 #include "equations/text.hpp"
@@ -96,6 +98,11 @@ UserEquation Reader::read(const model::EquationText& text) {
     reading.made.rate_of = last_rate_->first;
   }
   reading.finish(e);
+  try {
+    block::Plan(index_of(tree_, points_)).add(e);
+  } catch (const TooLarge& error) {
+    throw InputError(text.where, fmt::format("equation '{}': {}", shown(text.name), error.what()));
+  }
   return reading.made;
 }
 

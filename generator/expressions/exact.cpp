@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/error.hpp"
+#include "common/text_error.hpp"
 
 namespace treedyn::expressions {
 

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "block/plan.hpp"
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
@@ -16,7 +15,6 @@
 #include "emit/run_time.hpp"
 #include "emit/self_test.hpp"
 #include "emit/taken_names.hpp"
-#include "equations/kinematics.hpp"
 #include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 
@@ -162,7 +160,6 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
   for (const equations::UserEquation& equation : equations::read_equations(texts, tree, points)) {
     check_points(equation, points.empty());
     try {
-      block::Plan(equations::index_of(tree, points)).add(equation.expression);  // if it can be
       result.push_back(formulate::derived(equation, tree.size(), static_cast<int>(points.size())));
     } catch (const TooLarge& error) {
       throw InputError(equation.where,

@@ -217,9 +217,10 @@ void Simulator::land(double h, double time) {
   }
   Vector arrived = next_;
   project(time, arrived);
-  if (settings_.drift == Drift::kProjection) {
+  if (settings_.drift == Drift::kProjection && !began_) {
     monitor_.pull(system_, time, arrived.tail(system_.dof()));
   }
+  began_ = false;
   show_between(h, time);
   if (!arrived.allFinite()) {
     throw std::runtime_error(not_finite(scene_, time, {y_.begin(), y_.end()}));

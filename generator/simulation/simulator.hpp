@@ -183,6 +183,7 @@ class Simulator {
   double suggested_ = 0;        ///< 0: to be proposed
   double last_ = 0;             ///< length of the step before
   bool looked_ = false;         ///< at the row equations of this step
+  bool began_ = false;  ///< a phase: its first step ends on rows that may have begun at a speed
   int phase_ = 0;
   double phase_start_ = 0;
   Cost cost_;

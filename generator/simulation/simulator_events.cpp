@@ -42,6 +42,7 @@ Kind kind_of(model::EventKind kind) {
 }  // namespace
 
 void Simulator::start_phase(int phase, const std::vector<int>& active) {
+  began_ = true;
   const std::vector<int> before = system_.constraints().active();
   system_.constraints().activate(active);
   const Terms& terms = system_.geometry(q());

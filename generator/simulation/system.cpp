@@ -330,8 +330,9 @@ void System::project(double t, Vector& q, Vector& qd) {
   pad(rate_);
   rate_ = J_ * qd - rate_;
   keep_held(rate_);
-  pulled_ = rate_.head(rows);
-  qd -= A_.matrixU().solve(solve_.preimage(rate_));  // J dqd = -(J qd - c')
+  const Vector taken = A_.matrixU().solve(solve_.preimage(rate_));  // J dqd = -(J qd - c')
+  qd -= taken;
+  pulled_ = (J_ * taken).head(rows);
 }
 
 void System::remove_normal(double t, const Vector& y, Vector& error) {

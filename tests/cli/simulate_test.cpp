@@ -121,6 +121,25 @@ TEST_F(Simulate, WarnsOfNoImpactForWhatHasActedBefore) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("no impact")));
 }
 
+/// A point led forth and back: its speed jumps by 0.4 m/s at t = 0.503 s.
+TEST_F(Simulate, SaysWhereWhatLeadsAConstraintJumps) {
+  const auto led = [&](const std::string& x) {
+    write_file(scratch("s.yaml"),
+               "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+               "/models/two_link.yaml\n"
+               "effects:\n"
+               "  point_constraint: [{name: pen, point: tip, along: [x, z], curve: [" +
+                   x +
+                   ", 0, -0.4]}]\n"
+                   "initial: {q: {shoulder: -0.988751, elbow: 1.439167}, "
+                   "qd: {shoulder: 0.1, elbow: 0.1}}\n"
+                   "duration: 1\n");
+    return treedyn({scratch("s.yaml")}).err;
+  };
+  EXPECT_THAT(led("1.35 + 0.2*sqrt((t - 0.503)^2)"), HasSubstr("pulls the motion by 0.4 m/s"));
+  EXPECT_THAT(led("1.35 + 0.2*(t - 0.503)^2"), Not(HasSubstr("pulls")));
+}
+
 /// What holds a foot in both directions lets go of both where the floor would pull: the motion of
 /// the other one drives it into the floor again at once.
 TEST_F(Simulate, NamesTheEventsThatPileUp) {

@@ -34,12 +34,12 @@ TEST(ParseYamlNode, TellsNullFromAQuotedWord) {
 }
 
 TEST(ParseYamlNode, JoinsThePairsThatJsonEscapesACharacterBy) {
-  const Node root =
-      parse_yaml_node(R"(["\ud83d\ude00!", "\\ud83d\\ude00", "\u00e9", '\u12'])", "f");
+  const Node root = parse_yaml_node(R"(["\ud83d\ude00!", "\\ud83d\\ude00", "\u00e9"])", "f");
   EXPECT_EQ(root.items[0].text, "\xF0\x9F\x98\x80!");
   EXPECT_EQ(root.items[1].text, R"(\ud83d\ude00)");
   EXPECT_EQ(root.items[2].text, "\xC3\xA9");
-  EXPECT_EQ(root.items[3].text, R"(\u12)");
+  EXPECT_EQ(parse_yaml_node(R"(- \ud83d\ude00)", "f").items[0].text, R"(\ud83d\ude00)");
+  EXPECT_EQ(parse_yaml_node(R"(['\ud83d\ude00'])", "f").items[0].text, R"(\ud83d\ude00)");
 }
 
 TEST(ParseYamlNode, FindsARepeatedKeyAmongMany) {

@@ -16,8 +16,8 @@ constexpr double kTolerance = 1e-12;
 /// No bound is ever exceeded.
 simulation::Bounds unbounded() {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  static_assert(sizeof(simulation::Bounds) == 10 * sizeof(double));
-  return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
+  static_assert(sizeof(simulation::Bounds) == 11 * sizeof(double));
+  return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
 }
 
 /// What motions have cost.
