@@ -162,7 +162,7 @@ class Printer {
     return name(value.operands.back());
   }
 
-  /// Of values that come along the tree or from all of its links.
+  /// Of values that come along the tree or from all of its links, and of numbers of joints.
   [[nodiscard]] std::string tree_expression(const Value& value) const {
     switch (value.op) {
       case Op::kPath:
@@ -193,6 +193,12 @@ class Printer {
         return fmt::format("sum of all {}", first(value));
       case Op::kFold:
         return fmt::format("{} + sum of {} of the sons", first(value), last(value));
+      case Op::kDiagonal:
+        return fmt::format("diagonal of {}", first(value));
+      case Op::kTransposed:
+        return fmt::format("{}^T", first(value));
+      case Op::kCongruence:
+        return fmt::format("{0} {1} {0}^T", first(value), last(value));
       case Op::kEliminated:
       case Op::kFromLeaves:
       case Op::kFromRoot: {
@@ -256,12 +262,6 @@ class Printer {
                            name(value.operands[2]), name(value.operands[3]), last(value));
       case Op::kAlong:
         return fmt::format("{}, along {} {}", first(value), name(value.operands[1]), last(value));
-      case Op::kDiagonal:
-        return fmt::format("diagonal of {}", first(value));
-      case Op::kTransposed:
-        return fmt::format("{}^T", first(value));
-      case Op::kCongruence:
-        return fmt::format("{0} {1} {0}^T", first(value), last(value));
       case Op::kAssemble:
         return fmt::format("({}, {}, {})", first(value), name(value.operands[1]), last(value));
       default:

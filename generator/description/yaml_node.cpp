@@ -312,10 +312,10 @@ class NodeBuilder {
 
 }  // namespace
 
-Node parse_yaml_node(const std::string& given, const std::string& file, const std::string& what) {
-  const std::string text = with_yaml_escapes(given);
-  Events events(text, file);
-  NodeBuilder builder(text, file);
+Node parse_yaml_node(const std::string& text, const std::string& file, const std::string& what) {
+  const std::string yaml = with_yaml_escapes(text);
+  Events events(yaml, file);
+  NodeBuilder builder(yaml, file);
   int documents = 0;
   while (true) {
     const yaml_event_t& event = events.next();
