@@ -105,6 +105,23 @@ bool blows_up(std::span<const Expression> factors, int size) {
   return false;
 }
 
+Expression with_operand(const Expression& e, const Expression& x) {
+  switch (e.kind()) {
+    case Kind::kScaled:
+      return e.node().factor * x;
+    case Kind::kTranspose:
+      return transpose(x);
+    case Kind::kSkew:
+      return skew(x);
+    case Kind::kSkewTranspose:
+      return skew_transpose(x);
+    case Kind::kDiagonal:
+      return diagb(x);
+    default:
+      return x;
+  }
+}
+
 std::optional<Expression> without(const Expression& e, const std::set<std::string>& zeros) {
   if (e.kind() == Kind::kLeaf) {
     return zeros.contains(e.node().name) ? std::nullopt : std::optional(e);
@@ -123,22 +140,10 @@ std::optional<Expression> without(const Expression& e, const std::set<std::strin
   if (!result) {
     return std::nullopt;
   }
-  switch (e.kind()) {
-    case Kind::kNamed:
-      return block::equal(*result, e.operands().front()) ? e : *result;
-    case Kind::kScaled:
-      return e.node().factor * *result;
-    case Kind::kTranspose:
-      return transpose(*result);
-    case Kind::kSkew:
-      return skew(*result);
-    case Kind::kSkewTranspose:
-      return skew_transpose(*result);
-    case Kind::kDiagonal:
-      return diagb(*result);
-    default:
-      return result;
+  if (e.kind() == Kind::kNamed && equal(*result, e.operands().front())) {
+    return e;
   }
+  return with_operand(e, *result);
 }
 
 void flatten(const Expression& e, std::vector<Expression>& factors, Ratio& factor) {

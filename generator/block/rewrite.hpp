@@ -29,6 +29,9 @@ bool blows_up(std::span<const Expression> factors, int size);
 /// e with other expressions in place of named ones. \param others  of the same shape, by name
 Expression replaced(const Expression& e, const std::map<std::string, Expression>& others);
 
+/// The operation of e, which has one operand, on x; x for a name.
+Expression with_operand(const Expression& e, const Expression& x);
+
 /// e where leaves of these names are zero; nothing where all of it is.
 std::optional<Expression> without(const Expression& e, const std::set<std::string>& zeros);
 

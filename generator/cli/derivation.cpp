@@ -33,15 +33,21 @@ void define(const block::Expression& e, std::vector<std::string>& lines) {
   }
 }
 
-std::vector<std::string> definitions(const std::vector<block::Expression>& equations) {
+/// What has a name, and the equations. \param prefix  of equations without a name
+std::string definitions(const std::vector<block::Expression>& equations,
+                        const std::string& prefix = "") {
   std::vector<std::string> lines;
   for (const block::Expression& equation : equations) {
     define(equation, lines);
     if (equation.kind() != block::Kind::kNamed) {
-      lines.push_back(block::print(equation));
+      lines.push_back(prefix + block::print(equation));
     }
   }
-  return lines;
+  std::string result;
+  for (const std::string& line : lines) {
+    result += fmt::format("  {}\n", line);
+  }
+  return result;
 }
 
 /// Those of scenes that are derived.
@@ -58,8 +64,6 @@ std::vector<std::string_view> scene_functions() {
 /// \param ours  null: of the user
 std::string equation_text(const std::string& name, const block::Expression& expression,
                           const equations::Equation* ours) {
-  std::vector<std::string> lines;
-  define(expression, lines);
   std::string result =
       fmt::format("{}: equation {}", name, ours != nullptr ? ours->number : "of the user");
   if (ours != nullptr && !ours->unknown.empty()) {
@@ -68,14 +72,7 @@ std::string equation_text(const std::string& name, const block::Expression& expr
   if (ours != nullptr && !ours->errata.empty()) {
     result += fmt::format("; errata of the print mended: {}", ours->errata);
   }
-  result += "\n";
-  if (expression.kind() != block::Kind::kNamed) {
-    lines.push_back(name + " = " + block::print(expression));
-  }
-  for (const std::string& line : lines) {
-    result += fmt::format("  {}\n", line);
-  }
-  return result;
+  return result + "\n" + definitions({expression}, name + " = ");
 }
 
 std::string words_text(const block::Expression& e) {
@@ -202,10 +199,8 @@ std::string scene_text(const Model& model, const Request& request, const std::st
   const bool solved = info.equations.size() > 1;
   std::string result =
       fmt::format("{}: equation {}{}\n", name, info.equation,
-                  solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string());
-  for (const std::string& line : definitions(info.equations)) {
-    result += fmt::format("  {}\n", line);
-  }
+                  solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string()) +
+      definitions(info.equations);
   if (solved && formulate::has_trunk(model.tree)) {
     result += "\nwhere a scene acts on no link above it" + trunk_text(model, request);
   }

@@ -42,8 +42,8 @@ Sum terms_of(const Expression& e) {
 /// The terms with a symbol, or those without it.
 Sum with(const Sum& terms, const std::string& name, bool wanted = true) {
   Sum result;
-  std::copy_if(terms.begin(), terms.end(), std::back_inserter(result),
-               [&](const auto& term) { return holds(term.second, name) == wanted; });
+  std::ranges::copy_if(terms, std::back_inserter(result),
+                       [&](const auto& term) { return holds(term.second, name) == wanted; });
   return result;
 }
 
@@ -119,8 +119,8 @@ int Factoring::sum(const Terms& terms) {
 /// called h where it has no name.
 int Factoring::right(const Sum& terms) {
   Sum rest;
-  std::copy_if(terms.begin(), terms.end(), std::back_inserter(rest),
-               [](const auto& term) { return term.second.kind() != Kind::kLeaf; });
+  std::ranges::copy_if(terms, std::back_inserter(rest),
+                       [](const auto& term) { return term.second.kind() != Kind::kLeaf; });
   const bool has_name =
       rest.size() == 1 && rest.front().first == kPlus && rest.front().second.kind() == Kind::kNamed;
   const int h = rest.empty() ? -1 : given(has_name ? rest.front().second.node().name : "h", rest);

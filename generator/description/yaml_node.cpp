@@ -35,7 +35,7 @@ Place place_of_byte(const std::string& text, std::size_t offset) {
   return {static_cast<int>(line) + 1, to_int(column) + 1};
 }
 
-/// The 16 bits of an escape \uXXXX at `at`.
+/// The 16 bits of an escape \u and four digits at `at`.
 std::optional<unsigned> escaped_at(std::string_view text, std::size_t at) {
   constexpr std::size_t kDigits = 4;
   unsigned code = 0;
@@ -47,7 +47,7 @@ std::optional<unsigned> escaped_at(std::string_view text, std::size_t at) {
   return is_code ? std::optional(code) : std::nullopt;
 }
 
-/// JSON escapes a character beyond 16 bits by two surrogates, YAML by one \UXXXXXXXX. What follows
+/// JSON escapes a character beyond 16 bits by two surrogates, YAML by one \U. What follows
 /// on the line is told two columns further left. Other files are left as they are.
 std::string with_yaml_escapes(std::string text) {
   constexpr std::size_t kLength = 6;

@@ -90,24 +90,8 @@ Rate rate(const Expression& e, const Rates& rates) {
     }
     return result;
   }
-  Rate inner = rate(x.front(), rates);
-  if (!inner) {
-    return inner;
-  }
-  switch (e.kind()) {
-    case Kind::kScaled:
-      return e.node().factor * *inner;
-    case Kind::kTranspose:
-      return transpose(*inner);
-    case Kind::kSkew:
-      return skew(*inner);
-    case Kind::kSkewTranspose:
-      return block::skew_transpose(*inner);
-    case Kind::kDiagonal:
-      return diagb(*inner);
-    default:
-      return inner;
-  }
+  const Rate inner = rate(x.front(), rates);
+  return inner ? Rate(block::with_operand(e, *inner)) : std::nullopt;
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "formulate/scene_rows.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/geometry.hpp"
 #include "formulate/joint_numbers.hpp"
@@ -153,10 +151,8 @@ void SceneRows::add_constraint(const model::Constraint& c, const std::vector<Exp
     add_joint(c, a);
     return;
   }
-  std::vector<Vec3> directions;
-  for (const model::Vector3& d : c.directions) {
-    directions.push_back(frame_.direction(d));
-  }
+  std::vector<Vec3> directions =
+      transformed(c.directions, [&](const model::Vector3& d) { return frame_.direction(d); });
   std::vector<Expr> goals = a;
   const bool triad = is_triad(c.directions);
   if (triad) {
@@ -195,17 +191,9 @@ void SceneRows::add_triad(std::vector<Vec3>& directions, std::vector<Expr>& goal
   goals.assign(goal.begin(), goal.end());
 }
 
-std::vector<Expr> SceneRows::gamma() const {
-  std::vector<Expr> result;
-  std::ranges::transform(rows_, std::back_inserter(result), &Row::gamma);
-  return result;
-}
+std::vector<Expr> SceneRows::gamma() const { return transformed(rows_, &Row::gamma); }
 
-std::vector<Expr> SceneRows::wanted() const {
-  std::vector<Expr> result;
-  std::ranges::transform(rows_, std::back_inserter(result), &Row::wanted);
-  return result;
-}
+std::vector<Expr> SceneRows::wanted() const { return transformed(rows_, &Row::wanted); }
 
 std::vector<Expr> SceneRows::reactions(const std::vector<Expr>& mu) const {
   std::vector<Expr> lambda;
@@ -226,10 +214,8 @@ std::vector<Row> base_rows(const model::Scene& scene, const SceneFrame& frame, G
       rows.push_back({{{c.joint, constant(graph, Real(1))}}, {}, {}});
       continue;
     }
-    std::vector<Vec3> directions;
-    for (const model::Vector3& d : c.directions) {
-      directions.push_back(constant(graph, d));
-    }
+    const std::vector<Vec3> directions =
+        transformed(c.directions, [&](const model::Vector3& d) { return constant(graph, d); });
     const std::vector<Row> more =
         rows_along(directions, motions_of(scene, c, frame), c.kind == ConstraintKind::kOrientation,
                    frame.dof(), graph);
