@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "derive/turning.hpp"
 #include "description/read.hpp"
 #include "equations/equations.hpp"
 #include "equations/table.hpp"
@@ -21,46 +22,45 @@ namespace {
 
 using expansion::Expanded;
 
-/// A fraction of elements of the ring, or a sum of joint angles.
-struct Exact {
-  Exact() = default;
-  explicit Exact(Expanded number) : value(std::move(number)) {}
-  explicit Exact(int number) : value(number) {}
+/// A fraction of elements of the ring.
+struct Fraction {
+  Fraction() = default;
+  explicit Fraction(Expanded number) : value(std::move(number)) {}
+  explicit Fraction(int number) : value(number) {}
 
   Expanded value;
   Expanded below{1};
-  std::map<int, int> turns;  ///< joint -> how often its angle
 
-  friend Exact operator+(Exact a, const Exact& b) {
+  [[nodiscard]] bool is_zero() const { return value.is_zero(); }
+
+  friend Fraction operator+(Fraction a, const Fraction& b) {
     const bool same = a.below == b.below;
     a.value = same ? a.value + b.value : a.value * b.below + b.value * a.below;
     a.below = same ? a.below : a.below * b.below;
-    for (const auto& [joint, times] : b.turns) {
-      a.turns[joint] += times;
-    }
     return a;
   }
-  friend Exact operator*(const Exact& a, const Exact& b) {
-    if (a.turns.empty() && b.turns.empty()) {
-      Exact result(a.value * b.value);
-      result.below = a.below * b.below;
-      return result;
-    }
-    const bool first = !a.turns.empty();
-    const Expanded& factor = first ? b.value : a.value;
-    Exact result = first ? a : b;
-    for (auto& [joint, times] : result.turns) {
-      times *= GiNaC::ex_to<GiNaC::numeric>(factor.value()).to_int();
-    }
-    return result;
+  friend Fraction operator*(Fraction a, const Fraction& b) {
+    a.value = a.value * b.value;
+    a.below = a.below * b.below;
+    return a;
   }
-  friend Exact operator/(const Exact& a, const Exact& b) {
-    Exact result(a.value * b.below);
-    result.below = a.below * b.value;
-    return result;
+  friend Fraction operator/(Fraction a, const Fraction& b) {
+    a.value = a.value * b.below;
+    a.below = a.below * b.value;
+    return a;
   }
-  friend Exact operator-(const Exact& a) { return Exact(-1) * a; }
+  friend Fraction operator-(Fraction a) {
+    a.value = -a.value;
+    return a;
+  }
+  friend Fraction operator-(Fraction a, const Fraction& b) { return std::move(a) + -b; }
 };
+
+int to_int(const Fraction& integer) {
+  return GiNaC::ex_to<GiNaC::numeric>(integer.value.value()).to_int();
+}
+
+using Exact = support::Turning<Fraction>;
 
 /// The ring of the expansion that a program is compared with; decimals need no other variables.
 const expansion::Ring* ring = nullptr;
@@ -70,7 +70,7 @@ const expansion::Ring* ring = nullptr;
 template <>
 Exact program::from_real<Exact>(const Real& value) {
   static expansion::Ring decimals;
-  return Exact(Expanded(*ring, decimals.constant(value)));
+  return Exact(Fraction(Expanded(*ring, decimals.constant(value))));
 }
 
 namespace {
@@ -148,34 +148,22 @@ class Programs : public testing::TestWithParam<Mechanism> {
     const auto i = static_cast<std::size_t>(k);
     if (name == "q") {
       const bool turns = tree_.links[i].joint.type == model::JointType::kRevolute;
-      Exact q(turns ? Expanded() : e.position(i));
-      if (turns) {
-        q.turns[k] = 1;
-      }
-      return q;
+      return turns ? Exact::angle(k) : of(e.position(i));
     }
-    return Exact(name == "qd"    ? e.rate(i)
-                 : name == "qdd" ? e.acceleration(i)
-                 : name == "f"   ? e.force(i)
-                                 : e.moment(i));
+    return of(name == "qd"    ? e.rate(i)
+              : name == "qdd" ? e.acceleration(i)
+              : name == "f"   ? e.force(i)
+                              : e.moment(i));
   }
 
-  /// cos or sin of a sum of angles, by addition theorems.
+  static Exact of(const Expanded& number) { return Exact(Fraction(number)); }
+
   static Exact trigonometric(const expansion::Expansion& e, program::Kind kind,
                              const Exact& angle) {
-    Expanded c(1);
-    Expanded s(0);
     EXPECT_TRUE(angle.value.is_zero());
-    for (const auto& [joint, times] : angle.turns) {
-      const auto i = static_cast<std::size_t>(joint);
-      const Expanded sine = times < 0 ? -e.sine(i) : e.sine(i);
-      for (int n = 0; n < std::abs(times); ++n) {
-        const Expanded old = c;
-        c = c * e.cosine(i) - s * sine;
-        s = s * e.cosine(i) + old * sine;
-      }
-    }
-    return Exact(kind == program::Kind::kSin ? s : c);
+    return support::trigonometric(
+        kind, angle, [&](int joint) { return Fraction(e.sine(to_index(joint))); },
+        [&](int joint) { return Fraction(e.cosine(to_index(joint))); });
   }
 
   /// Entry by entry.
@@ -191,8 +179,8 @@ class Programs : public testing::TestWithParam<Mechanism> {
     bool equal = function.outputs.size() == expected.values.size();
     for (std::size_t n = 0; equal && n < expected.values.size(); ++n) {
       const program::Ref output = function.outputs[n];
-      const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
-      equal = ((output < 0 ? -x.value : x.value) - expected.values[n] * x.below).is_zero();
+      const Exact& x = values[program::node_index(output)];
+      equal = ((output < 0 ? -x : x).value - Fraction(expected.values[n])).is_zero();
     }
     return equal;
   }
@@ -281,8 +269,9 @@ class Solved : public Programs {
   }
 
   /// The outputs for an argument that comes last.
-  [[nodiscard]] std::vector<Exact> outputs(const expansion::Expansion& e, const std::string& name,
-                                           const std::vector<Expanded>& last) const {
+  [[nodiscard]] std::vector<Fraction> outputs(const expansion::Expansion& e,
+                                              const std::string& name,
+                                              const std::vector<Expanded>& last) const {
     ring = &e.ring();
     const formulate::Recipe& recipe = formulate::recipe_of(name);
     const program::Function function = formulate::formulated(tree_, recipe.name, options_);
@@ -293,13 +282,12 @@ class Solved : public Programs {
     const auto values = program::node_values<Exact>(
         function.graph, function.outputs,
         [&](int array, int k) {
-          return is_last(array) ? Exact(last[static_cast<std::size_t>(k)])
-                                : input(e, recipe, array, k);
+          return is_last(array) ? of(last[to_index(k)]) : input(e, recipe, array, k);
         },
         [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
-    std::vector<Exact> result;
+    std::vector<Fraction> result;
     for (const program::Ref output : function.outputs) {
-      const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
+      const Fraction& x = values[program::node_index(output)].value;
       EXPECT_FALSE(x.below.is_zero());
       result.push_back(output < 0 ? -x : x);
     }
@@ -317,26 +305,26 @@ class Solved : public Programs {
 
 /// Row i, column j of a product of square matrices.
 template <class A, class B>
-Exact entry(const std::vector<A>& a, const std::vector<B>& b, std::size_t n, std::size_t i,
-            std::size_t j) {
-  Exact sum(0);
+Fraction entry(const std::vector<A>& a, const std::vector<B>& b, std::size_t n, std::size_t i,
+               std::size_t j) {
+  Fraction sum(0);
   for (std::size_t k = 0; k < n; ++k) {
-    sum = sum + Exact(a[i * n + k]) * Exact(b[k * n + j]);
+    sum = sum + Fraction(a[i * n + k]) * Fraction(b[k * n + j]);
   }
   return sum;
 }
 
-bool equal(const Exact& a, const Exact& b) { return (a + -b).value.is_zero(); }
+bool equal(const Fraction& a, const Fraction& b) { return (a - b).is_zero(); }
 
 /// q̈ of the program for τ of (1), fractions: numerator - q̈ * denominator is zero.
 void Solved::expect_inverse(formulate::ForwardDynamics method) {
   options_.forward_dynamics = method;
   const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
-  const std::vector<Exact> qdd =
+  const std::vector<Fraction> qdd =
       outputs(e, "forward_dynamics", e.expand(equations::inverse_dynamics()).values);
   for (std::size_t i = 0; i < qdd.size(); ++i) {
-    EXPECT_TRUE(equal(qdd[i], Exact(e.acceleration(i)))) << i;
+    EXPECT_TRUE(equal(qdd[i], Fraction(e.acceleration(i)))) << i;
   }
 }
 
@@ -344,18 +332,18 @@ TEST_P(Solved, FactorsMultiplyToTheMassMatrix) {
   const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
   const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
-  const std::vector<Exact> all = outputs(e, "mass_matrix_factor", {});
+  const std::vector<Fraction> all = outputs(e, "mass_matrix_factor", {});
   const std::size_t n = tree_.links.size();
-  std::vector<Exact> upper(n * n);  // L^T Δ
+  std::vector<Fraction> upper(n * n);  // L^T Δ
   for (std::size_t i = 0; i < n; ++i) {
-    EXPECT_TRUE(equal(all[i * n + i], Exact(1)));
+    EXPECT_TRUE(equal(all[i * n + i], Fraction(1)));
     for (std::size_t k = 0; k < n; ++k) {
       EXPECT_TRUE(k <= i || all[i * n + k].value.is_zero());
       upper[k * n + i] = all[i * n + k] * all[n * n + i];
     }
   }
   for (std::size_t i = 0; i < n * n; ++i) {
-    EXPECT_TRUE(equal(entry(upper, all, n, i / n, i % n), Exact(A[i]))) << i;
+    EXPECT_TRUE(equal(entry(upper, all, n, i / n, i % n), Fraction(A[i]))) << i;
   }
 }
 
@@ -364,14 +352,14 @@ TEST_P(Solved, SolutionsOfTheMassMatrixSolve) {
   ring = &e.ring();
   const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
   const std::vector<Expanded> b = accelerations(e);
-  const std::vector<Exact> x = outputs(e, "mass_matrix_solve", b);
+  const std::vector<Fraction> x = outputs(e, "mass_matrix_solve", b);
   const std::size_t n = x.size();
   for (std::size_t i = 0; i < n; ++i) {
-    Exact sum(0);
+    Fraction sum(0);
     for (std::size_t k = 0; k < n; ++k) {
-      sum = sum + Exact(A[i * n + k]) * x[k];
+      sum = sum + Fraction(A[i * n + k]) * x[k];
     }
-    EXPECT_TRUE(equal(sum, Exact(b[i]))) << i;
+    EXPECT_TRUE(equal(sum, Fraction(b[i]))) << i;
   }
 }
 
@@ -379,10 +367,10 @@ TEST_P(Solved, InversesOfTheMassMatrixInvertIt) {
   const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
   const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
-  const std::vector<Exact> X = outputs(e, "mass_matrix_inverse", {});
+  const std::vector<Fraction> X = outputs(e, "mass_matrix_inverse", {});
   const std::size_t n = tree_.links.size();
   for (std::size_t i = 0; i < n * n; ++i) {
-    EXPECT_TRUE(equal(entry(A, X, n, i / n, i % n), Exact(i / n == i % n ? 1 : 0))) << i;
+    EXPECT_TRUE(equal(entry(A, X, n, i / n, i % n), Fraction(i / n == i % n ? 1 : 0))) << i;
   }
 }
 
@@ -409,8 +397,8 @@ class Trunks : public Programs {
   }
 
   /// What `builder` makes of q, q̇ and `last`.
-  std::vector<Exact> values(const expansion::Expansion& e, const formulate::Builder& builder,
-                            const std::vector<Exact>& last) {
+  std::vector<Fraction> values(const expansion::Expansion& e, const formulate::Builder& builder,
+                               const std::vector<Fraction>& last) {
     formulate::Recipe recipe = formulate::recipe_of("inverse_dynamics");
     recipe.freedom.trunk = true;
     recipe.build = builder;
@@ -422,12 +410,12 @@ class Trunks : public Programs {
     const auto values = program::node_values<Exact>(
         f.graph, f.outputs,
         [&](int array, int k) {
-          return array == 2 ? last[static_cast<std::size_t>(k)] : input(e, recipe, array, k);
+          return array == 2 ? Exact(last[to_index(k)]) : input(e, recipe, array, k);
         },
         [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
-    std::vector<Exact> result;
+    std::vector<Fraction> result;
     for (const program::Ref output : f.outputs) {
-      const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
+      const Fraction& x = values[program::node_index(output)].value;
       result.push_back(output < 0 ? -x : x);
     }
     return result;
@@ -447,7 +435,7 @@ TEST_P(Trunks, SeeTheEquationsOfTheirJoints) {
   ASSERT_TRUE(formulate::has_trunk(tree_));
   const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
-  std::vector<Exact> x;
+  std::vector<Fraction> x;
   for (std::size_t k = 0; k < tree_.links.size(); ++k) {
     x.emplace_back(e.acceleration(k));
   }
@@ -457,14 +445,14 @@ TEST_P(Trunks, SeeTheEquationsOfTheirJoints) {
   const auto force = [](const formulate::Task& task) {
     return formulate::build_equation(task, "inverse_dynamics");
   };
-  const std::vector<Exact> tau = values(e, force, values(e, joints, x));
-  const std::vector<Exact> f = values(
+  const std::vector<Fraction> tau = values(e, force, values(e, joints, x));
+  const std::vector<Fraction> f = values(
       e,
       [](const formulate::Task& task) {
         return formulate::Trunk(task).forces(last_argument(task));
       },
       tau);
-  const std::vector<Exact> seen = values(
+  const std::vector<Fraction> seen = values(
       e,
       [&](const formulate::Task& task) {
         const formulate::Trunk trunk(task);
