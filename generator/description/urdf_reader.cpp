@@ -158,8 +158,19 @@ const std::vector<KnownRow>& known_rows() {
   return rows;
 }
 
-/// What an element holds that nobody reads and that looks like a slip: `<orgin>`, `ryp=`. Other
-/// unknown elements, and those of namespaces, belong to other programs.
+/// "; it stands in <link>" for an element that is read in other places; empty for others.
+std::string place_of(std::string_view element) {
+  std::string result;
+  for (const auto& [father, child] : kRead) {
+    if (child == element) {
+      result += fmt::format("{} <{}>", result.empty() ? "; its place is in" : " or", father);
+    }
+  }
+  return result;
+}
+
+/// What an element holds that nobody reads and that looks like a slip: `<orgin>`, `ryp=`, a link
+/// within a link. Other unknown elements, and those of namespaces, belong to other programs.
 void vet_element(const Part& part, std::vector<Warning>& findings) {
   const Element& element = part.element;
   const auto row = std::ranges::find(known_rows(), element.name, &KnownRow::element);
@@ -167,14 +178,19 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
     return;
   }
   const auto find = [&](const Place& where, const std::string& message) {
-    findings.push_back({{part.file, where.line, where.column},
-                        fmt::format("{}: {} is unknown and not read", part.what, message)});
+    findings.push_back(
+        {{part.file, where.line, where.column}, fmt::format("{}: {}", part.what, message)});
   };
   for (const Text& stray : element.strays) {
-    const std::string meant =
-        is_known(stray.text, row->children) ? "" : did_you_mean(stray.text, row->children);
-    if (!meant.empty()) {
-      find(stray.where, fmt::format("<{}>{}", shown(stray.text), meant));
+    if (is_known(stray.text, row->children)) {
+      continue;
+    }
+    const std::string misplaced = place_of(stray.text);
+    const std::string meant = misplaced.empty() ? did_you_mean(stray.text, row->children) : "";
+    if (!misplaced.empty()) {
+      find(stray.where, fmt::format("<{}> is not read here{}", shown(stray.text), misplaced));
+    } else if (!meant.empty()) {
+      find(stray.where, fmt::format("<{}>{} is unknown and not read", shown(stray.text), meant));
     }
   }
   const bool leaf = row->children.empty();  // others carry what belongs to other programs
@@ -182,8 +198,8 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
     const std::string meant = did_you_mean(name, row->attributes);
     if (!is_known(name, row->attributes) && name.find(':') == std::string::npos &&
         (leaf || !meant.empty())) {
-      find(element.where,
-           fmt::format("attribute '{}' of <{}>{}", shown(name), element.name, meant));
+      find(element.where, fmt::format("attribute '{}' of <{}>{} is unknown and not read",
+                                      shown(name), element.name, meant));
     }
   }
   for (const Element& child : element.children) {

@@ -295,6 +295,10 @@ TEST(Vet, FindsWhatIsNotReadAndLooksLikeASlip) {
   EXPECT_THAT(
       joint("<origin quat_xyzw=\"0 0 0 1\"/>"),
       ElementsAre("3: joint 'j': attribute 'quat_xyzw' of <origin> is unknown and not read"));
+  EXPECT_THAT(joint("<link name=\"c\"/>"),
+              ElementsAre("3: joint 'j': <link> is not read here; its place is in <robot>"));
+  EXPECT_THAT(joint("<inertia/>"),
+              ElementsAre("3: joint 'j': <inertia> is not read here; its place is in <inertial>"));
   EXPECT_THAT(joint("<origin rpy=\"91 0 0\"/>"),
               ElementsAre("3: joint 'j': rpy 91 is beyond 2 pi; angles are in radians"));
 }
