@@ -158,12 +158,18 @@ Expression bias_of_attached_rows() {
   return named("γ", block::without(reaction_bias_acceleration(), {"u", "Ṡ_f", "Ṡ_n"}).value());
 }
 
+// (8), what drives and reactions give
+Expression loaded_dynamics() {
+  return mass_matrix() * qdd + bias_force() + gravity_force() - applied_force();
+}
+
+// (8) without reactions, zero for the accelerations
+Expression free_dynamics() { return loaded_dynamics() - tau; }
+
 // (8) with R = S λ, for q̈ and λ
 Constrained constrained_dynamics() {
   const Expression J_T = reaction_jacobian_transpose();
-  return {
-      mass_matrix() * qdd + bias_force() + gravity_force() - applied_force() - tau - J_T * lambda,
-      transpose(J_T) * qdd + bias_of_attached_rows() - a_des};
+  return {free_dynamics() - J_T * lambda, transpose(J_T) * qdd + bias_of_attached_rows() - a_des};
 }
 
 // 6.4, for Δ = q̇+ - q̇-; q̇ is that before

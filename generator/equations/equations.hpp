@@ -93,6 +93,11 @@ Expression reaction_bias_acceleration();
 /// The same of points that stay on their links and directions that stay in the base: u and Ṡ are 0.
 Expression bias_of_attached_rows();
 
+/// (8): A q̈ + B + G - Q, what drives and reactions give.
+Expression loaded_dynamics();
+/// The same less τ: zero for the accelerations of a scene without rows.
+Expression free_dynamics();
+
 /// Two columns, zero for an unknown of the joints and for λ of the rows.
 struct Constrained {
   Expression motion;

@@ -2,6 +2,7 @@
 
 #include "common/index.hpp"
 #include "common/transformed.hpp"
+#include "equations/equations.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/scene_rows.hpp"
@@ -16,7 +17,9 @@ std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
   const model::Scene& scene = *task.options.scene;
   Graph& graph = task.kinematics.graph();
   const InverseArrays arrays = inverse_arrays(scene);
-  std::vector<Expr> h = build_equation(task, "inverse_dynamics");
+  static const std::shared_ptr<const Derived> needed =
+      derived_part("inverse_dynamics", equations::loaded_dynamics());
+  std::vector<Expr> h = build_loaded(task, *needed, forces.loads(), task.kinematics.variant().way);
   for (int i = 0; i < task.tree.dof(); ++i) {
     h[to_index(i)] -= forces.joint(i);
     if (arrays.force >= 0) {
@@ -26,14 +29,6 @@ std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
   for (const model::Armature& armature : scene.armatures) {
     const Expr qdd = input(graph, arrays.qdd, armature.joint);
     h[to_index(armature.joint)] += constant(graph, armature.inertia) * qdd;
-  }
-  const SceneFrame frame(task, false);
-  for (const AppliedLoad& load : forces.loads()) {
-    const model::Point& point = scene.points[to_index(load.point)];
-    const MotionMap map = load.is_moment ? frame.turning(point) : frame.point(point);
-    for (const auto& [k, column] : map.columns) {
-      h[to_index(k)] -= dot(column, load.value);
-    }
   }
   return h;
 }

@@ -2,7 +2,7 @@
 
 #include "common/index.hpp"
 #include "common/transformed.hpp"
-#include "formulate/scene_frame.hpp"
+#include "formulate/derived.hpp"
 #include "model/force_laws.hpp"
 
 namespace treedyn::formulate {
@@ -97,15 +97,11 @@ std::vector<Expr> build_contact_press(const Task& task) {
   const Expr depth = input(task, kDepthArray, task.options.contact);
   std::vector<Expr> result = {law(task, forces, depth, slip, kForceArray + 1)};
   const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
-  const SceneFrame frame(task, false);
-  const MotionMap map = frame.point(task.options.scene->points[to_index(c.point)]);
+  const std::vector<Expr> Q = build_loaded(
+      task, *derived("applied_force"), {{task.options.scene->points[to_index(c.point)]}, {f}, {{}}},
+      task.kinematics.variant().way);
   for (int i = 0; i < task.tree.dof(); ++i) {
-    Expr sum = input(task, kForceArray, i);
-    const auto column = map.columns.find(i);
-    if (column != map.columns.end()) {
-      sum += dot(column->second, f);
-    }
-    result.push_back(sum);
+    result.push_back(input(task, kForceArray, i) + Q[to_index(i)]);
   }
   return result;
 }

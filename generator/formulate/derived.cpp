@@ -302,6 +302,14 @@ std::vector<Expr> values_at(const Task& task, const std::string& name,
                        frame);
 }
 
+std::vector<Expr> build_loaded(const Task& task, const Derived& function, const PointLoads& loads,
+                               Way way) {
+  Options options = task.options;
+  options.points = loads.points;
+  const Kinematics kinematics = task.kinematics.with_loads(loads);
+  return build_derived({task.tree, task.normal, options, kinematics}, function, way);
+}
+
 Vec3 angular_bias(const Task& task, const model::Point& point) {
   Options options;
   options.points = {point};

@@ -55,6 +55,10 @@ std::vector<Expr> build_equation(const Task& task, const std::string& name);
 std::vector<Expr> values_at(const Task& task, const std::string& name,
                             const std::vector<model::Point>& points, Way way, int frame = kBase);
 
+/// A function of forces at points, which stand for its arguments f and n.
+std::vector<Expr> build_loaded(const Task& task, const Derived& function, const PointLoads& loads,
+                               Way way);
+
 /// gamma_n of a point, by what its gamma_f is made of. \pre `point` moves
 Vec3 angular_bias(const Task& task, const model::Point& point);
 

@@ -1,5 +1,6 @@
 #include "formulate/factored.hpp"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -103,6 +104,13 @@ const FactoredFunction& factored(const std::string& name) {
   const std::scoped_lock lock(mutex);
   const auto found = known.find(name);
   return found != known.end() ? found->second : known.emplace(name, make(name)).first->second;
+}
+
+const Derived& given(const std::string& function, const std::string& leaf) {
+  const auto& all = factored(function).given;
+  const auto found = std::ranges::find(all, leaf, [](const auto& one) { return one.first; });
+  TREEDYN_EXPECT(found != all.end());
+  return *found->second;
 }
 
 std::vector<Expr> build_factored(const Task& task, const std::string& name) {

@@ -21,6 +21,9 @@ struct FactoredFunction {
 /// with equations.
 const FactoredFunction& factored(const std::string& name);
 
+/// What it is given for a leaf. \pre there is such a leaf, not of rows
+const Derived& given(const std::string& function, const std::string& leaf);
+
 /// The expressions of the function, in the independent coordinates.
 std::vector<Expr> build_factored(const Task& task, const std::string& name);
 

@@ -259,6 +259,12 @@ Kinematics Kinematics::with_forces(const std::vector<Expr>& forces) const {
   return k;
 }
 
+Kinematics Kinematics::with_loads(const PointLoads& loads) const {
+  Kinematics k = *this;
+  k.loads_ = &loads;
+  return k;
+}
+
 Kinematics Kinematics::from_trunk(const Vec3& omega) const {
   Kinematics k = *this;
   const Expr one = constant(graph_, Real(1));

@@ -20,6 +20,13 @@ struct Inputs {
   int tau = -1;
 };
 
+/// Forces at points and moments on their links, base frame; one each for every point.
+struct PointLoads {
+  std::vector<model::Point> points;
+  std::vector<Vec3> f;
+  std::vector<Vec3> n;
+};
+
 /// Limbs that share code while a formulation is written, and the table of their constants.
 struct SharedLimbs {
   std::vector<LimbLinks> links;  ///< by class
@@ -55,6 +62,10 @@ class Kinematics {
   [[nodiscard]] bool is_from_trunk() const { return is_from_trunk_; }
   /// The same with these forces of joints, by coordinate, for the argument.
   [[nodiscard]] Kinematics with_forces(const std::vector<Expr>& forces) const;
+  /// The same with forces at points, for the arguments f and n. \pre `loads` outlives the result
+  [[nodiscard]] Kinematics with_loads(const PointLoads& loads) const;
+  /// Null: they are arguments.
+  [[nodiscard]] const PointLoads* loads() const { return loads_; }
 
   [[nodiscard]] int size() const { return static_cast<int>(normal_.links.size()); }
   [[nodiscard]] const NormalLink& link(int i) const { return normal_.links[index(i)]; }
@@ -178,6 +189,7 @@ class Kinematics {
   bool is_from_trunk_ = false;
   Vec3 ground_turning_;
   std::vector<Expr> forces_;
+  const PointLoads* loads_ = nullptr;
 };
 
 template <class Of>

@@ -76,6 +76,9 @@ Block Lowering::input(const Value& v, const equations::UserArgument& argument, i
   if (v.type == Type::kScalar) {
     return {element(array, e), {}, {}};
   }
+  if (const PointLoads* const loads = task_.kinematics.loads()) {
+    return {{}, {{kBase, (argument.name == "f" ? loads->f : loads->n)[to_index(e)]}}, {}};
+  }
   Vec3 x;
   for (int k = 0; k < 3; ++k) {
     x[to_index(k)] = element(array, 3 * e + k);

@@ -74,7 +74,7 @@ Vec3 SceneForces::velocity(int point) const {
                           {scene_.points[to_index(point)]}, Way::kToRoot));
 }
 
-AppliedLoad SceneForces::load(const model::PointLaw& law) const {
+Vec3 SceneForces::load(const model::PointLaw& law) const {
   const Meaning meaning = [&](const model::Variable& v) {
     switch (v.quantity) {
       case Quantity::kPointPosition:
@@ -85,10 +85,10 @@ AppliedLoad SceneForces::load(const model::PointLaw& law) const {
         return meaning_(v);
     }
   };
-  AppliedLoad result{law.point, law.is_moment, {}};
+  Vec3 result;
   try {
     for (std::size_t n = 0; n < 3; ++n) {
-      result.value[n] = value_of(task_.kinematics.graph(), law.value[n], meaning);
+      result[n] = value_of(task_.kinematics.graph(), law.value[n], meaning);
     }
   } catch (const InputError& error) {
     throw InputError({}, fmt::format("force at point '{}': {}",
@@ -97,8 +97,15 @@ AppliedLoad SceneForces::load(const model::PointLaw& law) const {
   return result;
 }
 
-std::vector<AppliedLoad> SceneForces::loads() const {
-  return transformed(scene_.point_laws, [&](const model::PointLaw& law) { return load(law); });
+PointLoads SceneForces::loads() const {
+  PointLoads result;
+  for (const model::PointLaw& law : scene_.point_laws) {
+    const Vec3 value = load(law);
+    result.points.push_back(scene_.points[to_index(law.point)]);
+    result.f.push_back(law.is_moment ? Vec3{} : value);
+    result.n.push_back(law.is_moment ? value : Vec3{});
+  }
+  return result;
 }
 
 bool uses_time(const model::Scene& scene, const std::vector<int>& active) {

@@ -19,13 +19,6 @@ struct SceneArrays {
   int anchor = -1;  ///< where constraints began to act
 };
 
-/// A force at a point, or a moment on its link; base frame.
-struct AppliedLoad {
-  int point = 0;
-  bool is_moment = false;
-  Vec3 value;
-};
-
 /// What acts on a scene's tree besides gravity, velocity products and reactions.
 class SceneForces {
  public:
@@ -33,7 +26,7 @@ class SceneForces {
 
   /// Force of a joint: the argument tau and what the scene adds.
   [[nodiscard]] Expr joint(int joint) const;
-  [[nodiscard]] std::vector<AppliedLoad> loads() const;
+  [[nodiscard]] PointLoads loads() const;
   /// Variables of expressions that belong to no point.
   [[nodiscard]] const Meaning& meaning() const { return meaning_; }
   /// Position and velocity of a point, base frame.
@@ -42,7 +35,7 @@ class SceneForces {
 
  private:
   [[nodiscard]] Expr input(int array, int element) const;
-  [[nodiscard]] AppliedLoad load(const model::PointLaw& law) const;
+  [[nodiscard]] Vec3 load(const model::PointLaw& law) const;
 
   const Task& task_;
   const model::Scene& scene_;

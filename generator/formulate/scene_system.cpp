@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "equations/equations.hpp"
 #include "formulate/derived.hpp"
+#include "formulate/factored.hpp"
 #include "model/mass_unit.hpp"
 
 namespace treedyn::formulate {
@@ -13,18 +15,24 @@ Expr divided(Graph& graph, const Expr& force, const Real& unit) {
   return unit == 1 ? force : force * constant(graph, 1 / unit);
 }
 
-/// Calls `add(k, force)` for every coordinate k that a load moves: C f + H n.
-template <class Add>
-void each_load(const model::Scene& scene, const SceneForces& forces, const SceneFrame& frame,
-               Add add) {
-  for (const AppliedLoad& load : forces.loads()) {
-    const model::Point& point = scene.points[static_cast<std::size_t>(load.point)];
-    const MotionMap map = load.is_moment ? frame.turning(point) : frame.point(point);
-    const Vec3 value = frame.direction(load.value);
-    for (const auto& [k, column] : map.columns) {
-      add(static_cast<std::size_t>(k), dot(column, value));
+/// Those of a scene in a frame and a unit of mass.
+PointLoads loads_in(const SceneFrame& frame, const SceneForces& forces, Graph& graph,
+                    const Real& unit) {
+  PointLoads loads = forces.loads();
+  for (std::vector<Vec3>* const values : {&loads.f, &loads.n}) {
+    for (Vec3& value : *values) {
+      value = frame.direction(value);
+      std::ranges::for_each(value, [&](Expr& x) { x = divided(graph, x, unit); });
     }
   }
+  return loads;
+}
+
+/// (8) without reactions, solved for the accelerations.
+const Derived& articulated() {
+  static const Derived function =
+      solved(*derived_part("forward_dynamics", equations::free_dynamics()), "q̈");
+  return function;
 }
 
 /// R13 acts: there is nothing but drive forces on the base's own joints and links.
@@ -55,9 +63,6 @@ SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays, bool force
       forces_(task, arrays) {
   add_equations(forces);
   add_armatures();
-  if (forces) {
-    add_loads();
-  }
 }
 
 void SceneSystem::add_armatures() {
@@ -65,15 +70,6 @@ void SceneSystem::add_armatures() {
     a_[{armature.joint, armature.joint}] +=
         constant(task_.kinematics.graph(), armature.inertia / unit_);
   }
-}
-
-void SceneSystem::add_loads() {
-  each_load(scene_, forces_, *frame_,
-            [&](std::size_t k, const Expr& force) { h_[k] -= in_unit(force); });
-}
-
-Expr SceneSystem::in_unit(const Expr& force) const {
-  return divided(task_.kinematics.graph(), force, unit_);
 }
 
 std::vector<Expr> SceneSystem::reactions(std::vector<Expr> of_unit) const {
@@ -99,9 +95,11 @@ void SceneSystem::add_equations(bool forces) {
   if (!forces) {
     return;
   }
-  h_ = build_equation(task, "inverse_dynamics");
+  Graph& graph = task.kinematics.graph();
+  h_ = build_loaded(task, given("constrained_dynamics", "h"),
+                    loads_in(*frame_, forces_, graph, unit_), task.kinematics.variant().way);
   for (int i = 0; i < n; ++i) {
-    tau_.push_back(in_unit(forces_.joint(i)));
+    tau_.push_back(divided(graph, forces_.joint(i), unit_));
   }
   tau_ = trunk_ ? trunk_->forces(tau_) : tau_;
 }
@@ -134,14 +132,14 @@ std::vector<Expr> articulated_accelerations(const Task& task, const SceneForces&
     applied.push_back(forces.joint(i));
   }
   applied = trunk ? trunk->forces(applied) : applied;
-  each_load(scene, forces, SceneFrame(task, false, trunk ? &*trunk : nullptr),
-            [&](std::size_t i, const Expr& force) { applied[i] += force; });
+  Graph& graph = task.kinematics.graph();
   for (Expr& force : applied) {
-    force = divided(task.kinematics.graph(), force, unit);
+    force = divided(graph, force, unit);
   }
+  const SceneFrame frame(task, false, trunk ? &*trunk : nullptr);
   const Kinematics k = (trunk ? trunk->seen() : task).kinematics.with_forces(applied);
-  const std::vector<Expr> x = build_derived({task.tree, task.normal, task.options, k},
-                                            *derived("forward_dynamics"), Way::kToRoot);
+  const std::vector<Expr> x = build_loaded({task.tree, task.normal, task.options, k}, articulated(),
+                                           loads_in(frame, forces, graph, unit), Way::kToRoot);
   return trunk ? trunk->joint_accelerations(x) : x;
 }
 

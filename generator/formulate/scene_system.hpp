@@ -38,8 +38,6 @@ class SceneSystem {
  private:
   void add_equations(bool forces);
   void add_armatures();
-  void add_loads();
-  [[nodiscard]] Expr in_unit(const Expr& force) const;
 
   const Task& task_;
   const model::Scene& scene_;
