@@ -150,6 +150,11 @@ int run_generate(const Settings& settings) {
   }
   refuse_overwriting(input_files(model, settings.request), written);
   print_warnings(settings, warnings_of(model, settings.request));
+  if (model.scene) {
+    if (const auto warning = warning_of_start(settings.request.scene.value_or(""), *model.scene)) {
+      print_warnings(settings, {*warning});
+    }
+  }
   FunctionsDone done(settings, model);
   const std::vector<emit::File> files =
       generate(model, settings.request, std::ref(done), warn_of(settings));

@@ -210,6 +210,23 @@ SimulateResult simulate(const SimulateRequest& request, const simulation::Progre
   return result;
 }
 
+std::optional<Warning> warning_of_start(const std::string& file, const model::Scene& scene) {
+  const auto is_zero = [](const Real& x) {
+    return x == 0;
+  };
+  if (scene.constraints.empty() ||
+      (std::ranges::all_of(scene.q0, is_zero) && std::ranges::all_of(scene.qd0, is_zero))) {
+    return std::nullopt;
+  }
+  const std::unique_ptr<simulation::Dynamics> dynamics = engine_dynamics(scene);
+  try {
+    simulation::Simulator(scene, *dynamics, {}).settle();
+  } catch (const std::runtime_error& problem) {
+    return Warning{{file, 0, 0}, fmt::format("{}; simulate refuses it", problem.what())};
+  }
+  return std::nullopt;
+}
+
 std::string write_simulation(const SimulateRequest& request, const SimulateResult& result) {
   if (request.output.empty()) {
     return request.json ? json_text(result) : csv_text(result);

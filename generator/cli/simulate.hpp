@@ -57,6 +57,10 @@ struct SimulateResult {
 /// Reads and runs the scene. \throws InputError for mistakes in it
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress);
 
+/// Why the motion of a scene to generate code for would not begin, if its initial state is not
+/// zero. \param file  of the scene
+std::optional<Warning> warning_of_start(const std::string& file, const model::Scene& scene);
+
 /// What went wrong, a line each: the initial state that was moved, and what a step noticed.
 std::vector<std::string> warnings_of(const SimulateResult& result);
 /// What `-v` says: the cost, how well promises were kept, and the stable steps of all integrators.

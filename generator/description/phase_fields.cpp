@@ -10,6 +10,7 @@
 #include "common/identifier.hpp"
 #include "common/index.hpp"
 #include "description/identifiers.hpp"
+#include "description/vectors.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::description {
@@ -110,6 +111,11 @@ class PhaseReader {
     } else if (kind == "expression") {
       event.kind = EventKind::kExpression;
       event.value = context_.expression(fields.at_run_time(), cause, SceneContext::Of::kState);
+      if (event.value.is_constant()) {
+        fields.fail(cause.where,
+                    "expression: is a constant, which never crosses 0; expected one of "
+                    "t, q or qd");
+      }
       const std::string crossing = fields.text_or("crossing", "falling");
       if (crossing != "falling" && crossing != "rising") {
         fields.fail(
@@ -122,7 +128,7 @@ class PhaseReader {
       const SceneFields at =
           context_.fields(cause, what + ": touch_down", {"point", "normal", "height"})
               .at_run_time();
-      event.point = context_.point(at);
+      event.point = context_.moving_point(at);
       event.plane = {normal(at), at.number_or("height", 0)};
     } else {
       const SceneFields at = context_.fields(cause, what + ": lift_off", {"constraint", "normal"});
@@ -131,6 +137,21 @@ class PhaseReader {
       const Place& where = at.get("constraint").where;
       lift_offs_.push_back({where.in(at.file()), at.what(), reading_, event.constraint});
       event.plane = {normal(at), 0};
+      require_reaction_along(at, event);
+    }
+  }
+
+  /// Constraints react along their directions alone.
+  void require_reaction_along(const SceneFields& fields, const model::Event& event) const {
+    const auto& directions = scene_.constraints[to_index(event.constraint)].directions;
+    const auto across = [&](const model::Vector3& d) {
+      return abs(dot(d, event.plane.normal)) < Real("1e-30");
+    };
+    if (std::ranges::all_of(directions, across)) {
+      fields.fail(fields.get("constraint").where,
+                  fmt::format("constraint '{}' has no reaction along the normal of this lift_off; "
+                              "expected a normal along one of its directions",
+                              shown(fields.text("constraint").text)));
     }
   }
 
@@ -208,7 +229,10 @@ class PhaseReader {
     std::set<int> result;
     for (const Node& item : fields.list(key)) {
       if (const std::optional<int> found = constraint(fields, item)) {
-        result.insert(*found);
+        if (!result.insert(*found).second) {
+          fields.fail(item.where, fmt::format("constraint '{}' stands here twice; expected it once",
+                                              shown(fields.scalar(item).text)));
+        }
         listed_.insert(*found);
       }
     }

@@ -8,6 +8,7 @@
 #include "common/decimal.hpp"
 #include "common/index.hpp"
 #include "description/scene_effects.hpp"
+#include "description/vectors.hpp"
 
 namespace treedyn::description {
 
@@ -36,25 +37,35 @@ void SceneEffects::add(const SceneFields& fields, model::Constraint constraint) 
 
 namespace {
 
-/// True if row i of `a` and row j of `b` state different accelerations, or positions.
-bool differ(const model::Constraint& a, std::size_t i, const model::Constraint& b, std::size_t j) {
-  if (a.accelerations.empty() != b.accelerations.empty()) {
-    return false;
-  }
-  if (!a.accelerations.empty()) {
-    return !(a.accelerations[i] == b.accelerations[j]);
-  }
-  const bool led = a.kind == ConstraintKind::kPoint || a.kind == ConstraintKind::kJoint;
-  if (!led || a.pinned || b.pinned) {
-    return false;
-  }
+/// True if the positions that two rows of one direction hold differ, or one rests and one moves.
+bool places_differ(const model::Constraint& a, std::size_t i, const model::Constraint& b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const bool matters = a.kind == ConstraintKind::kJoint || a.directions[i][k] != 0;
-    if (matters && !(a.curve.position[k] == b.curve.position[k])) {
+    if (a.kind == ConstraintKind::kPoint && a.directions[i][k] == 0) {
+      continue;
+    }
+    const model::Expression& x = a.curve.position[k];
+    const model::Expression& y = b.curve.position[k];
+    const bool moves = x.uses(model::Quantity::kTime) || y.uses(model::Quantity::kTime);
+    if (a.pinned || b.pinned ? moves : !(x == y)) {
       return true;
     }
   }
   return false;
+}
+
+/// True if row i of `a` and row j of `b` hold the same direction and state different accelerations,
+/// or positions.
+bool differ(const model::Constraint& a, std::size_t i, const model::Constraint& b, std::size_t j) {
+  const bool of_joint = a.kind == ConstraintKind::kJoint;
+  const bool same = of_joint || a.directions[i] == b.directions[j];
+  if (a.accelerations.empty() != b.accelerations.empty()) {
+    return false;
+  }
+  if (!a.accelerations.empty()) {
+    return same && !(a.accelerations[i] == b.accelerations[j]);
+  }
+  const bool led = of_joint || a.kind == ConstraintKind::kPoint;
+  return led && (same || a.directions[i] == Real(-1) * b.directions[j]) && places_differ(a, i, b);
 }
 
 bool contradict(const model::Constraint& a, const model::Constraint& b) {
@@ -63,8 +74,7 @@ bool contradict(const model::Constraint& a, const model::Constraint& b) {
   }
   for (std::size_t i = 0; i < a.rows(); ++i) {
     for (std::size_t j = 0; j < b.rows(); ++j) {
-      const bool same = a.kind == ConstraintKind::kJoint || a.directions[i] == b.directions[j];
-      if (same && differ(a, i, b, j)) {
+      if (differ(a, i, b, j)) {
         return true;
       }
     }
@@ -97,7 +107,7 @@ void SceneEffects::refuse_contradictions(const SceneFields& root) const {
 /// Which of the two holds the joint nothing decides.
 void SceneEffects::refuse_friction_at_rest(const SceneFields& root,
                                            const model::Constraint& constraint) const {
-  if (constraint.pinned && constraint.kind == ConstraintKind::kJoint &&
+  if (constraint.kind == ConstraintKind::kJoint &&
       std::ranges::count(context_.scene().frictions, constraint.joint, &model::DryFriction::joint) >
           0) {
     root.fail(places_.at(constraint.name),
@@ -172,7 +182,7 @@ void SceneEffects::read_accelerations(const SceneFields& fields,
 
 void SceneEffects::point_constraint(const SceneFields& fields) {
   model::Constraint constraint;
-  constraint.point = context_.point(fields);
+  constraint.point = context_.moving_point(fields);
   constraint.name = fields.text_or("name", scene().points[to_index(constraint.point)].name);
   read_directions(fields, constraint);
   if (fields.find("curve") != nullptr) {
@@ -192,7 +202,7 @@ void SceneEffects::point_constraint(const SceneFields& fields) {
 void SceneEffects::orientation_constraint(const SceneFields& fields) {
   model::Constraint constraint;
   constraint.kind = ConstraintKind::kOrientation;
-  constraint.point = context_.point(fields);
+  constraint.point = context_.moving_point(fields);
   constraint.name =
       fields.text_or("name", scene().points[to_index(constraint.point)].name + "_orientation");
   read_directions(fields, constraint);
@@ -207,6 +217,14 @@ void SceneEffects::joined_constraint(const SceneFields& fields) {
   constraint.other = context_.point(fields, "other");
   if (constraint.point == constraint.other) {
     fields.fail(fields.get("other").where, "a point is joined to itself; expected two points");
+  }
+  const model::Point& first = scene().points[to_index(constraint.point)];
+  const model::Point& second = scene().points[to_index(constraint.other)];
+  if (first.link == second.link && norm(first.at - second.at) > Real("1e-9")) {
+    fields.fail(fields.get("other").where,
+                fmt::format("'{}' and '{}' are fixed to one link, or to the ground, at different "
+                            "places; expected points of two",
+                            shown(first.name), shown(second.name)));
   }
   constraint.name = fields.text_or(
       "name", fmt::format("{}_{}", fields.text("point").text, fields.text("other").text));

@@ -200,6 +200,18 @@ int SceneContext::point(const SceneFields& fields, std::string_view key) {
                           shown(name.text), did_you_mean(name.text, known)));
 }
 
+int SceneContext::moving_point(const SceneFields& fields) {
+  const int result = point(fields);
+  if (scene_.points[static_cast<std::size_t>(result)].link == model::kGround) {
+    const Text name = fields.text("point");
+    fields.fail(name.where,
+                fmt::format("'{}' is fixed to the ground, which nothing moves; expected a point of "
+                            "a link that moves",
+                            shown(name.text)));
+  }
+  return result;
+}
+
 expressions::VariableNames SceneContext::variables(Of kind, const SceneFields& fields) const {
   const auto find = [this, kind](std::string_view name,
                                  std::optional<std::string_view> index) -> std::optional<Variable> {

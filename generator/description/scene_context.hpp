@@ -40,6 +40,8 @@ class SceneContext {
   [[nodiscard]] int joint(const Fields& fields, const Text& name) const;
   /// The point that `key` names: of the scene, of the model, or the origin of a link.
   int point(const SceneFields& fields, std::string_view key = "point");
+  /// The same under `point`. \throws InputError if it is fixed to the ground
+  int moving_point(const SceneFields& fields);
 
   enum class Of { kState, kTime, kPoint, kDepth };
   /// An expression of t, q, qd; t alone; these and the motion of a point; depth and normal speed.

@@ -244,7 +244,7 @@ void SceneEffects::joint_spring(const SceneFields& fields) {
 }
 
 void SceneEffects::point_spring(const SceneFields& fields) {
-  const int point = context_.point(fields);
+  const int point = context_.moving_point(fields);
   const model::Vector3 anchor = fields.vector("anchor");
   const Real stiffness = fields.amount("stiffness");
   const Real damping = fields.amount_or("damping", 0);
@@ -288,24 +288,18 @@ model::VectorExpression SceneEffects::load(const SceneFields& fields) const {
 }
 
 void SceneEffects::force(const SceneFields& fields) {
-  const int point = context_.point(fields);
+  const int point = context_.moving_point(fields);
   add(model::point_force(point, load(fields)));
 }
 
 void SceneEffects::moment(const SceneFields& fields) {
-  const int point = context_.point(fields);
+  const int point = context_.moving_point(fields);
   add(model::moment(point, load(fields)));
 }
 
 void SceneEffects::ground_contact(const SceneFields& fields) {
   model::GroundContact contact;
-  contact.point = context_.point(fields);
-  if (scene().points[to_index(contact.point)].link == model::kGround) {
-    fields.fail(fields.get("point").where,
-                fmt::format("'{}' is fixed to the ground, a contact there moves nothing; expected "
-                            "a point of a link that moves",
-                            shown(fields.text("point").text)));
-  }
+  contact.point = context_.moving_point(fields);
   contact.plane = {
       fields.find("normal") == nullptr ? model::Vector3{0, 0, 1} : fields.direction("normal"),
       fields.number_or("height", 0)};
@@ -333,6 +327,10 @@ void SceneEffects::ground_contact(const SceneFields& fields) {
   if (contact.friction > 0 && contact.slip_speed == 0) {
     fields.fail(fields.get("friction").key.where,
                 "friction without 'slip_speed'; expected a slip speed above 0");
+  }
+  if (fields.find("friction") == nullptr && fields.find("slip_speed") != nullptr) {
+    fields.fail(fields.get("slip_speed").key.where,
+                "'slip_speed' without 'friction'; expected a coefficient of friction too");
   }
   scene().contacts.push_back(std::move(contact));
 }

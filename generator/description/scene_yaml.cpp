@@ -192,6 +192,10 @@ model::Scene read_scene_yaml(const Node& node, const std::string& file,
   read_actuated(context, root, scene);
   if (root.find("rank_tolerance") != nullptr) {
     scene.rank_tolerance = root.positive("rank_tolerance");
+    if (scene.rank_tolerance >= 1) {
+      root.fail(root.get("rank_tolerance").where,
+                "'rank_tolerance' leaves no row; expected a part of a row's own size, below 1");
+    }
   }
   return scene;
 }

@@ -154,6 +154,7 @@ std::string deficient_text(int rows, const Target& target) {
                     " noexcept {")},
        {"rows", std::to_string(rows)},
        {"given_up", single ? "0.01f" : "0.01"},
+       {"rounding", single ? "1e-5f" : "1e-13"},
        {"given_up_least", single ? "1e-3f" : "1e-6"}});
 }
 

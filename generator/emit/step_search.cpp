@@ -113,6 +113,13 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
     inner.push_back(fmt::format("const int k = from.guard[{0}] < Scalar(0) ? {1} : {0};",
                                 event.guard, approach));
     part = "chord(from.guard[k], to.guard[k])";
+    if (event.cause == StepCause::kLand) {
+      inner.push_back(
+          fmt::format("const bool held = falls_from_plane(from.guard[{0}], "
+                      "to.guard[{0}], from.guard[{1}], to.guard[{1}]);",
+                      event.guard, approach));
+      part = fmt::format("held ? Scalar(-1) : {}", part);
+    }
   } else {
     const std::string least =
         event.holds > 0 ? literal(-roundings() * event.holds, scalar_) : "Scalar(0)";
@@ -156,7 +163,16 @@ std::string SearchWriter::beginning() const {
       "\n/// Whether a point has begun to fall: before, no faster than by what its speed has grown "
       "since.\n"
       "bool begins_to_fall(Scalar before, Scalar now) noexcept {\n"
-      "  return now < Scalar(0) && now < Scalar(2) * before;\n}\n";
+      "  return now < Scalar(0) && now < Scalar(2) * before;\n}\n" +
+      fmt::format(
+          "\n/// Whether it falls from the plane itself, where it was held: so far above it "
+          "drifts.\n"
+          "bool falls_from_plane(Scalar height, Scalar end, Scalar before, Scalar now) "
+          "noexcept {{\n"
+          "  constexpr {} drift = {};\n"
+          "  return begins_to_fall(before, now) && !(height < Scalar(0)) &&\n"
+          "         height < -drift * end && before < -drift * now;\n}}\n",
+          type_name(scalar_), literal(Real(1) / 65536, scalar_));
   return !stops
              ? begins
              : begins + fmt::format(

@@ -16,10 +16,11 @@ namespace {
 constexpr const char* kOwn =
     "Angle Angles Bits DerivedParameters Moment Motion NOINLINE Number Parameters Scalar "
     "SineCosine add advance anchors approach approaches begins_to_fall below_zero check chord "
-    "compare cosine cut derived dip dips due dynamics_in earlier factor_stage falls_now find_event "
-    "find_stage first_event guards h happen integrate integrate_part joint look move_stage "
-    "next_clock note pair_of phase point press sine sine_cosine sines_cosines solve_stage status "
-    "store store_sines_cosines try_step way weigh";
+    "compare cosine cut derived dip dips due dynamics_in earlier factor_stage "
+    "falls_from_plane falls_now find_event find_stage first_event guards h happen integrate "
+    "integrate_part joint look move_stage next_clock note pair_of phase point press sine "
+    "sine_cosine sines_cosines solve_stage status store store_sines_cosines try_step way "
+    "weigh";
 
 /// Behind these stands a number, or a name of the scene or of the model.
 constexpr std::string_view kBeginnings[] = {

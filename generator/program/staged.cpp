@@ -84,7 +84,7 @@ Cost regular_cost(const RowSolve& solve) {
 
 /// The loops of templates/solve_rows.cpp.in.
 Cost deficient_cost(int rows, int rank) {
-  Cost c{.add = 1, .mul = 1};  // the bound of what is left
+  Cost c{.add = 2, .mul = 2};  // the bound of what is left
   for (int k = 0; k < rank; ++k) {
     const int below = rows - k - 1;
     c = c + Cost{.mul = 3 * (rows - k), .div = 1};                   // the search, 1 / pivot

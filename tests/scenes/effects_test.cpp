@@ -187,10 +187,10 @@ TEST(Effects, RowsThatNoMotionReachesAreGenerated) {
 TEST(Effects, SpringsWithoutADirectionAreRefused) {
   const TemporaryFolder folder;
   const std::string scene = (folder.path() / "scene.yaml").string();
-  write_file(scene,
+  write_file(scene,  // a point on the axis of the first joint
              fmt::format("scene: s\nmodel: {}/models/two_link.yaml\npoints:\n  - {{name: hook, "
-                         "link: ground, at: [1, 0, 0]}}\neffects:\n  point_spring:\n    - "
-                         "{{point: hook, anchor: [1, 0, 0], stiffness: 3, rest_length: 1}}\n"
+                         "link: upper_arm, at: [0, 0, 0]}}\neffects:\n  point_spring:\n    - "
+                         "{{point: hook, anchor: [0, 0, 0], stiffness: 3, rest_length: 1}}\n"
                          "duration: 1\n",
                          TREEDYN_SOURCE_DIR));
   const Outcome outcome = run({TREEDYN_EXECUTABLE, "generate", "--scene", scene, "--effort", "0",
