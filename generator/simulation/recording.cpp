@@ -85,7 +85,7 @@ class Recorder {
     const double kinetic = pose_.kinetic_energy() + system.armature_energy(qd);
     const double potential = pose_.potential_energy() + system.elastic_energy(q);
     row.values.insert(row.values.end(), {kinetic, potential, kinetic + potential,
-                                         system.violation(simulator_.time(), q)});
+                                         system.violation(simulator_.time(), q).size});
     add_nodes(row.nodes);
     look();
     std::swap(row.contacts, contacts_);

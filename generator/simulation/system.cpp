@@ -375,23 +375,29 @@ Vector System::impact(double t, const Vector& q, Vector& qd, const std::vector<i
   return impulse;
 }
 
-double System::violation(double t, const Vector& q) {
-  if (constraints_.rows() == 0) {
-    return 0;
-  }
-  constraints_.errors(geometry(q), t, q, phi_);
-  return largest(phi_);
+System::Violation System::largest_of(const Vector& rows) const {
+  Eigen::Index row = 0;
+  const double size = rows.cwiseAbs().maxCoeff(&row);
+  return {size, constraints_.constraint(static_cast<int>(row))};
 }
 
-double System::speed_violation(double t, const Vector& q, const Vector& qd) {
+System::Violation System::violation(double t, const Vector& q) {
   if (constraints_.rows() == 0) {
-    return 0;
+    return {};
+  }
+  constraints_.errors(geometry(q), t, q, phi_);
+  return largest_of(phi_);
+}
+
+System::Violation System::speed_violation(double t, const Vector& q, const Vector& qd) {
+  if (constraints_.rows() == 0) {
+    return {};
   }
   constraints_.jacobian(geometry(q), J_);
   constraints_.velocities(t, rate_);
   rate_ = J_ * qd - rate_;
   keep_held(rate_);
-  return largest(rate_);
+  return largest_of(rate_);
 }
 
 const Terms& System::geometry(const Vector& q) {

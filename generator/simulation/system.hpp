@@ -99,10 +99,15 @@ class System {
   /// EQUATIONS.md 6.4 for all rows of `constraints`; changes qd. \return impulses, N s or N m s
   Vector impact(double t, const Vector& q, Vector& qd, const std::vector<int>& constraints,
                 double restitution);
-  /// Largest position error of the active rows, m or rad.
-  double violation(double t, const Vector& q);
-  /// The same of the velocities, m/s or rad/s.
-  double speed_violation(double t, const Vector& q, const Vector& qd);
+  /// The largest error of the active rows, and the constraint whose row it is; none: -1.
+  struct Violation {
+    double size = 0;
+    int constraint = -1;
+  };
+  /// Of positions, m or rad.
+  Violation violation(double t, const Vector& q);
+  /// Of velocities, m/s or rad/s.
+  Violation speed_violation(double t, const Vector& q, const Vector& qd);
 
   /// p, C, R, H in this position.
   const Terms& geometry(const Vector& q);
@@ -128,6 +133,7 @@ class System {
   void pad(Vector& rows) const;
   void add_stabilisation(double t, const Vector& q, const Vector& qd);
   void keep_held(Vector& rows) const;
+  [[nodiscard]] Violation largest_of(const Vector& rows) const;
   void add_balance(const State& state);
   void add_turn(const State& state);
 

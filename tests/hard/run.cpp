@@ -30,7 +30,7 @@ double Run::energy_drift() const {
 void Run::observe() {
   energy_change_ = std::max(energy_change_, std::fabs(energy() - first_energy_));
   most_kinetic_ = std::max(most_kinetic_, pose_.kinetic_energy());
-  violation_ = std::max(violation_, system().violation(time(), q()));
+  violation_ = std::max(violation_, system().violation(time(), q()).size);
   if (system().constraints().rows() > 0) {
     const simulation::Solution& now = solution();
     finite_ = finite_ && now.lambda.allFinite() && now.qdd.allFinite();

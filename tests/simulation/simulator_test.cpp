@@ -32,8 +32,8 @@ double drift_of(model::Drift drift, const std::string& integrator) {
   Running run(scene_of(kLoop), &settings);
   double worst = 0;
   run.simulator.advance_to(2, [&] {
-    worst =
-        std::max(worst, run.simulator.system().violation(run.simulator.time(), run.simulator.q()));
+    worst = std::max(
+        worst, run.simulator.system().violation(run.simulator.time(), run.simulator.q()).size);
     return true;
   });
   return worst;
@@ -711,9 +711,9 @@ std::string message_of_ball(const std::string& constraints) {
 TEST(InitialState, IsRefusedWhereNoStateMeetsTheConstraints) {
   EXPECT_EQ(message_of_ball("    - {point: ball, along: [x, z], curve: [0, 0, 2*t]}\n"), "");
   EXPECT_EQ(message_of_ball("    - {point: ball, along: [x, z], curve: [1, 0, 2*t]}\n"),
-            "the initial state is not near one that meets the constraints");
+            "the initial state is not near one that meets the constraints: 'ball' stays 1 off");
   EXPECT_EQ(message_of_ball("    - {point: ball, along: [x, z], curve: [t, 0, 2*t]}\n"),
-            "no velocity meets the constraints at the initial state");
+            "no velocity meets the constraints at the initial state: 'ball' stays 1 off");
 }
 
 /// A free body without forces whose angular velocity has no part along some directions.
@@ -740,7 +740,7 @@ TEST(Orientation, InOneDirectionIsALawOfSpeeds) {
     EXPECT_NEAR(energy, (1 + 2 * 0.7 * 0.7) / 2, bound);
   }
   const double speed =
-      run.simulator.system().speed_violation(1, run.simulator.q(), run.simulator.qd());
+      run.simulator.system().speed_violation(1, run.simulator.q(), run.simulator.qd()).size;
   EXPECT_LT(speed, 1e-15);  // a few roundings of speeds of size 1
 }
 
