@@ -116,18 +116,27 @@ class FunctionsDone {
   Progress progress_;
 };
 
+/// The path that a file has without links; where they lead nowhere, the one that it was given.
+std::filesystem::path place_of(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::path place = fs::weakly_canonical(file, error);
+  if (error) {
+    place = fs::absolute(file, error);
+  }
+  return error ? fs::path(file) : place;
+}
+
 /// Files are read and written as different ones. \throws UsageError for one that is both, or that
 /// is written twice
 void refuse_overwriting(const std::vector<std::string>& read,
                         const std::vector<std::string>& written) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  std::set<fs::path> taken;
+  std::set<std::filesystem::path> taken;
   for (const std::string& file : read) {
-    taken.insert(fs::weakly_canonical(file, ignored));
+    taken.insert(place_of(file));
   }
   for (const std::string& file : written) {
-    if (!taken.insert(fs::weakly_canonical(file, ignored)).second) {
+    if (!taken.insert(place_of(file)).second) {
       throw UsageError(fmt::format(
           "{}: would be overwritten by another file; expected another path", shown(file)));
     }

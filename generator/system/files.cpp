@@ -33,13 +33,14 @@ namespace {
 class Folders {
  public:
   void make(const fs::path& folder) {
-    if (folder.empty() || fs::is_directory(folder)) {
+    std::error_code ignored;
+    if (folder.empty() || fs::is_directory(folder, ignored)) {
       return;
     }
     make(folder.parent_path());
     if (::mkdir(folder.c_str(), 0777) == 0) {
       made_.push_back(folder);
-    } else if (errno != EEXIST || !fs::is_directory(folder)) {
+    } else if (errno != EEXIST || !fs::is_directory(folder, ignored)) {
       fail(folder.string(), "cannot make the output folder", errno == EEXIST ? ENOTDIR : errno);
     }
   }

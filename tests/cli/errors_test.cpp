@@ -113,6 +113,16 @@ TEST_F(Cli, ReportsFoldersThatCannotBeWritten) {
   EXPECT_EQ(files(), 1U);
 }
 
+/// Paths that cannot be followed are different ones, and it is the writing that fails.
+TEST_F(Cli, ReportsFoldersThatLeadNowhere) {
+  fs::create_symlink("loop", scratch("loop"));
+  for (const std::string& folder : {scratch("loop"), scratch("loop") + "/below"}) {
+    const Outcome outcome = treedyn({"generate", kModel, "--effort", "0", "-o", folder});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, StartsWith(scratch("loop") + ": cannot make the output folder: "));
+  }
+}
+
 /// Runs the program with files limited to some kilobytes: what a full disk looks like to it.
 Outcome with_small_disk(const std::string& arguments) {
   return support::run({"sh", "-c", "ulimit -f 2; exec " TREEDYN_EXECUTABLE " " + arguments});
