@@ -45,6 +45,17 @@ function(_treedyn_subject call)
   set(settings "${settings}" PARENT_SCOPE)
 endfunction()
 
+# Sets `value` to what settings say of an option, of a list the first; empty: they say nothing of it.
+function(_treedyn_setting file option)
+  file(READ "${file}" text)
+  string(ASCII 239 187 191 mark)  # of the order of bytes
+  set(value "")
+  if("\n${text}" MATCHES "\n(${mark})?[ \t]*${option}[ \t]*=[[ \t]*(\"([^\"\r\n]*)\"|'([^'\r\n]*)'|([^]\"',# \t\r\n]+))")
+    set(value "${CMAKE_MATCH_3}${CMAKE_MATCH_4}${CMAKE_MATCH_5}")
+  endif()
+  set(value "${value}" PARENT_SCOPE)
+endfunction()
+
 # Sets `language` to the one that the options or, if they name none, the files `settings` choose.
 function(_treedyn_language settings)
   set(language "c++")
@@ -52,8 +63,8 @@ function(_treedyn_language settings)
     set(language "${CMAKE_MATCH_2}")
   else()
     foreach(file IN LISTS settings)
-      file(STRINGS "${file}" lines REGEX "^[ \t]*language[ \t]*=[[ \t\"']*c99")
-      if(lines)
+      _treedyn_setting("${file}" language)
+      if(value STREQUAL "c99")
         set(language "c99")
       endif()
     endforeach()

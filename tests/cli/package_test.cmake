@@ -26,7 +26,8 @@ treedyn_generate(in_c_by_libm MODEL arm.yaml NAME by_libm OPTIONS --language c99
 add_executable(consumer_in_c main.c)
 target_link_libraries(consumer_in_c PRIVATE in_c_by_libm)
 treedyn_generate(default MODEL arm.yaml NAME no FOLDER off OPTIONS ${nothing})  # words like others
-set_target_properties(default PROPERTIES EXCLUDE_FROM_ALL TRUE)
+treedyn_generate(commented MODEL arm.yaml NAME commented OPTIONS --settings commented.txt)
+set_target_properties(default commented PROPERTIES EXCLUDE_FROM_ALL TRUE)
 install(TARGETS arm EXPORT arms ARCHIVE DESTINATION lib)
 install(EXPORT arms DESTINATION lib/cmake/arms)
 treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_BINARY_DIR}/swing OPTIONS --effort 0)
@@ -36,6 +37,7 @@ treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
 file(WRITE ${scratch}/project/own.yaml "equations: [{name: own, value: T(ones) * m_d * ones}]\n")
 set(settings "effort = 0\nequations = own.yaml\n")  # a file beside the settings
 file(WRITE ${scratch}/project/own.txt "${settings}language = c99\n")
+file(WRITE ${scratch}/project/commented.txt "effort = 0\n# – language = c99 # is for the firmware – language = c99\n")
 file(WRITE ${scratch}/project/main.cpp [[
 #include "in_c.h"
 #include "swing.hpp"
@@ -101,7 +103,7 @@ function(a_second_later)
   run(${CMAKE_COMMAND} -E sleep 1)
 endfunction()
 
-run(${CMAKE_COMMAND} --build ${build} --target default)
+run(${CMAKE_COMMAND} --build ${build} --target default commented)
 if(NOT EXISTS ${scratch}/project/off/no.hpp)
   message(FATAL_ERROR "NAME no FOLDER off: there is no off/no.hpp")
 endif()
