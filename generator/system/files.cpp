@@ -59,7 +59,8 @@ class Folders {
   std::vector<fs::path> made_;
 };
 
-/// A complete copy of a file's new content beside its place; removed unless it was put there.
+/// A complete copy of a file's new content beside its place. What stood there is put back, and the
+/// copy removed, unless `keep` is called.
 class Temporary {
  public:
   explicit Temporary(const OutputFile& file) : target_(file.path) {
@@ -80,7 +81,10 @@ class Temporary {
     }
   }
   Temporary(Temporary&& other) noexcept
-      : target_(std::move(other.target_)), path_(std::exchange(other.path_, {})) {}
+      : target_(std::move(other.target_)),
+        path_(std::exchange(other.path_, {})),
+        old_(std::exchange(other.old_, {})),
+        is_new_(std::exchange(other.is_new_, false)) {}
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
   Temporary& operator=(Temporary&&) = delete;
@@ -88,16 +92,49 @@ class Temporary {
     if (!path_.empty()) {
       ::unlink(path_.c_str());
     }
+    if (is_new_) {
+      ::unlink(target_.c_str());
+    }
+    if (!old_.empty() && ::rename(old_.c_str(), target_.c_str()) == 0) {
+      ::unlink(old_.c_str());  // two links to one file are both still there
+    }
   }
 
   void put_in_place() {
+    set_aside();
     if (::rename(path_.c_str(), target_.c_str()) != 0) {
       fail(target_, "cannot write", errno);
     }
     path_.clear();
+    is_new_ = old_.empty();
+  }
+  void keep() {
+    if (!old_.empty()) {
+      ::unlink(old_.c_str());
+    }
+    old_.clear();
+    is_new_ = false;
   }
 
  private:
+  /// Keeps what stands in the file's place, if anything does, by another link or, where there are
+  /// none, by another name.
+  void set_aside() {
+    const std::string old = path_ + "~";
+    if (::link(target_.c_str(), old.c_str()) == 0) {
+      old_ = old;
+    } else if (errno != ENOENT) {
+      std::error_code ignored;
+      if (fs::is_directory(target_, ignored)) {
+        fail(target_, "cannot write", EISDIR);
+      }
+      if (::rename(target_.c_str(), old.c_str()) != 0) {
+        fail(target_, "cannot write", errno);
+      }
+      old_ = old;
+    }
+  }
+
   static int write_all(int descriptor, std::string_view text) {
     const mode_t mask = ::umask(0);
     ::umask(mask);
@@ -115,7 +152,9 @@ class Temporary {
   }
 
   std::string target_;
-  std::string path_;
+  std::string path_;     ///< of the copy; empty: it is in place
+  std::string old_;      ///< of what stood there; empty: nothing, or it is there
+  bool is_new_ = false;  ///< the copy is in a place where nothing stood
 };
 
 }  // namespace
@@ -174,6 +213,9 @@ int write_files(const std::vector<OutputFile>& files) {
   }
   for (Temporary& temporary : temporaries) {
     temporary.put_in_place();
+  }
+  for (Temporary& temporary : temporaries) {
+    temporary.keep();
   }
   folders.keep();
   return static_cast<int>(temporaries.size());

@@ -152,6 +152,29 @@ TEST_F(Cli, LeavesNothingHalfWrittenOnAFullDisk) {
   EXPECT_EQ(files(), 3U);
 }
 
+/// The stamp makes a folder where the dependency file should stand, which is put in place last.
+TEST_F(Cli, PutsBackWhatItReplacedWhereAFileCannotBePutInPlace) {
+  const std::vector<std::string> generate = {
+      "generate", kModel,    "--effort",         "0",         "-o",        out(), "--gravity",
+      "0,0,1",    "--stamp", out() + "/d/stamp", "--depfile", out() + "/d"};
+  EXPECT_EQ(treedyn(generate).status, 1);
+  EXPECT_FALSE(fs::exists(out()));
+
+  treedyn({"generate", kModel, "--effort", "0", "-o", out()});
+  const auto texts = [&] {
+    return read_file(file("two_link.hpp")) + read_file(file("two_link.cpp")) +
+           read_file(file("two_link.json"));
+  };
+  const std::string before = texts();
+  const fs::file_time_type time = fs::last_write_time(file("two_link.cpp"));
+  const Outcome outcome = treedyn(generate);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, StartsWith(out() + "/d: cannot write: "));
+  EXPECT_EQ(texts(), before);
+  EXPECT_EQ(fs::last_write_time(file("two_link.cpp")), time);
+  EXPECT_EQ(files(), 3U);
+}
+
 TEST_F(Cli, ReportsAFullStandardOutput) {
   const std::string small = " info " + kModel;
   const std::string large = " simulate " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
