@@ -59,11 +59,19 @@ class Folders {
   std::vector<fs::path> made_;
 };
 
+/// Where a symbolic link to a file leads; of anything else its own path.
+std::string end_of_links(const std::string& path) {
+  std::error_code ignored;
+  const bool leads = fs::is_symlink(path, ignored) && fs::is_regular_file(path, ignored);
+  const std::string end = leads ? fs::canonical(path, ignored).string() : "";
+  return end.empty() ? path : end;
+}
+
 /// A complete copy of a file's new content beside its place. What stood there is put back, and the
 /// copy removed, unless `keep` is called.
 class Temporary {
  public:
-  explicit Temporary(const OutputFile& file) : target_(file.path) {
+  explicit Temporary(const OutputFile& file) : target_(end_of_links(file.path)) {
     const fs::path folder = fs::path(target_).parent_path();
     path_ =
         (folder / (".treedyn-" + fs::path(target_).filename().string().substr(0, 200) + "-XXXXXX"))

@@ -139,6 +139,21 @@ TEST_F(Hostile, PipesAndDevicesAreNoOutput) {
   EXPECT_FALSE(fs::exists(scratch("o")));
 }
 
+TEST_F(Hostile, SymbolicLinksToFilesStay) {
+  fs::create_directories(out());
+  fs::create_directories(scratch("real"));
+  write_file(scratch("real/x.cpp"), "");
+  fs::create_symlink("../real/x.cpp", file("two_link.cpp"));
+  fs::create_symlink("nowhere", file("two_link.json"));
+  ASSERT_EQ(treedyn({"generate", kModel, "--effort", "0", "-o", out()}).status, 0);
+  EXPECT_TRUE(fs::is_symlink(file("two_link.cpp")));
+  EXPECT_THAT(read_file(scratch("real/x.cpp")), HasSubstr("void mass_matrix("));
+  EXPECT_FALSE(fs::is_symlink(file("two_link.json")));
+  EXPECT_EQ(files(), 3U);
+  EXPECT_FALSE(fs::exists(file("nowhere")));
+  EXPECT_EQ(shell("ls -A " + scratch("real")).out, "x.cpp\n");
+}
+
 TEST_F(Hostile, ScenesOfFarPointsAreRightAsFarAsNumbersAre) {
   for (const char* const far : {"1e7", "1e9", "1e12", "1e20"}) {
     const std::string text =
