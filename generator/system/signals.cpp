@@ -13,7 +13,7 @@ namespace {
 sigset_t held() {
   sigset_t result;
   ::sigemptyset(&result);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) {
+  for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGCHLD}) {
     ::sigaddset(&result, signal);
   }
   return result;

@@ -5,7 +5,7 @@
 
 namespace treedyn {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP wait; then they do what they do.
+/// While it lives, SIGINT, SIGQUIT, SIGTERM and SIGHUP wait; then they do what they do.
 class HeldSignals {
  public:
   HeldSignals();

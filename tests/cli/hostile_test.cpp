@@ -1,4 +1,5 @@
 // Names, places and signals that somebody else chose.
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/cli.hpp"
+#include "system/signals.hpp"
 
 namespace treedyn {
 namespace {
@@ -199,6 +201,29 @@ TEST_F(Hostile, SignalsLeaveNothingHalfWritten) {
     ::waitpid(process, &status, 0);
     EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0);
     EXPECT_TRUE(!fs::exists(out()) || files() == 3) << k;
+  }
+}
+
+/// A signal that arrives while others wait acts behind what is done meanwhile.
+TEST_F(Hostile, SignalsWaitWhileTheyAreHeld) {
+  for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) {
+    fs::remove(scratch("done"));
+    const pid_t process = ::fork();
+    if (process == 0) {
+      const rlimit none{0, 0};
+      ::setrlimit(RLIMIT_CORE, &none);
+      std::signal(signal, SIG_DFL);
+      {
+        const HeldSignals held;
+        ::raise(signal);
+        write_file(scratch("done"), "");
+      }
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+    EXPECT_TRUE(fs::exists(scratch("done"))) << signal;
   }
 }
 
