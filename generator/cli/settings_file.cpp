@@ -168,13 +168,18 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
     const std::function<void(const std::string&)> refuse_value = [&](const std::string& what) {
       refuse(fmt::format("--{} {}", name, what));
     };
-    const std::string value = fmt::format(
-        "{}", fmt::join(SettingValues(trimmed(line.substr(equals + 1)), refuse_value).all(), ","));
-    if (value.empty()) {
+    std::vector<std::string> values =
+        SettingValues(trimmed(line.substr(equals + 1)), refuse_value).all();
+    if (name != "equations") {  // which are several files, others one list
+      values = {fmt::format("{}", fmt::join(values, ","))};
+    }
+    if (values.empty() || std::ranges::find(values, "") != values.end()) {
       refuse_value("has no value; expected one");
     }
     if (!is_given(*option, given)) {
-      result.push_back(fmt::format("--{}={}", name, in_folder_of(file, name, value)));
+      for (const std::string& value : values) {
+        result.push_back(fmt::format("--{}={}", name, in_folder_of(file, name, value)));
+      }
       places["--" + name] = {file, at, 0};
     }
   }

@@ -361,6 +361,32 @@ TEST_F(Cli, FindsFilesThatSettingsNameBesideThem) {
   EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("void own("));
 }
 
+TEST_F(Cli, ReadsEveryFileOfEquationsThatSettingsName) {
+  fs::create_directories(scratch("sub"));
+  const auto equation = [](const std::string& name) {
+    return "equations: [{name: " + name + ", value: T(ones) * m_d * ones}]\n";
+  };
+  write_file(scratch("sub/a.yaml"), equation("one"));
+  write_file(scratch("sub/b,c.yaml"), equation("two"));
+  for (const std::string value :
+       {"[\"a.yaml\", 'b,c.yaml']", "a.yaml, 'b,c.yaml'", "a.yaml \"b,c.yaml\" # both"}) {
+    write_file(scratch("sub/s.txt"), "effort = 0\nequations = " + value + "\n");
+    const Outcome outcome =
+        treedyn({"generate", kModel, "-o", out(), "--settings", scratch("sub/s.txt"), "--depfile",
+                 scratch("d.d"), "--functions", "one,two"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("one("));
+    EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("two("));
+    EXPECT_THAT(read_file(scratch("d.d")),
+                HasSubstr(scratch("sub/a.yaml") + " " + scratch("sub/b,c.yaml")));
+  }
+  write_file(scratch("sub/s.txt"), "equations = ['a.yaml', '']\n");
+  const Outcome refused =
+      treedyn({"generate", kModel, "-o", out(), "--settings", scratch("sub/s.txt")});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, StartsWith(scratch("sub/s.txt") + ":1: settings: --equations has no"));
+}
+
 TEST_F(Cli, TakesNoOtherWordForAnEmptyValue) {
   expect_usage_error(treedyn({"generate", kModel, "-o", out(), "--stamp=", "--checked"}),
                      "--stamp= has no value; expected one behind it");
