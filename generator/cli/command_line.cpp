@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -149,6 +151,21 @@ void refuse_empty_values(const std::vector<std::string>& words) {
       throw CLI::ParseError(fmt::format("{} has no value; expected one behind it", shown(word)),
                             kUsage);
     }
+  }
+}
+
+/// Standard input is read once: as MODEL or scene, or as a file that an option names.
+void refuse_standard_input_twice(const std::vector<std::string>& words) {
+  static const std::set<std::string> kOutputs = {"-o", "--output", "--depfile", "--stamp"};
+  static const std::set<std::string> kInputs = {"--scene=-", "--equations=-", "--settings=-"};
+  int count = 0;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const bool is_input = words[k] == "-" && (k == 0 || !kOutputs.contains(words[k - 1]));
+    count += is_input || kInputs.contains(words[k]) ? 1 : 0;
+  }
+  if (count > 1) {
+    throw CLI::ParseError(
+        fmt::format("standard input (-) is read {} times; expected it once", count), kUsage);
   }
 }
 
@@ -315,8 +332,10 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     const CLI::App* const command = find_command(app, argc > 1 ? argv[1] : "");
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     refuse_empty_values(words);
+    refuse_standard_input_twice(words);
     if (command != nullptr && command->get_option_no_throw("--settings") != nullptr) {
       words = with_settings(words, *command, places);
+      refuse_standard_input_twice(words);
     }
     result.settings.accuracy.command = without_plan(argc > 0 ? argv[0] : "treedyn", words);
     std::ranges::reverse(words);

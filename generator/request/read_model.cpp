@@ -384,11 +384,12 @@ std::vector<std::string> input_files(const Model& model, const Request& request)
   if (model.scene && !model.scene->tree_file.empty()) {
     files.push_back(model.scene->tree_file);
   }
-  if (!request.model.empty() && request.model != "-") {
+  if (!request.model.empty()) {
     files.push_back(request.model);
   }
   files.insert(files.end(), request.equations.begin(), request.equations.end());
   files.insert(files.end(), request.settings.begin(), request.settings.end());
+  std::erase(files, "-");
   return files;
 }
 

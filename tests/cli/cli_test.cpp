@@ -128,6 +128,40 @@ TEST_F(Cli, WritesADependencyFile) {
   EXPECT_THAT(read_file(scratch("d.d")), testing::EndsWith(".json: " + scratch("a=b.yaml") + "\n"));
 }
 
+TEST_F(Cli, DependsOnNoStandardInput) {
+  const std::string equations = "equations: [{name: own, value: T(ones) * m_d * ones}]\n";
+  const auto rule = [&](const std::vector<std::string>& more, const std::string& input) {
+    std::vector<std::string> generate = {"generate",   "--depfile", scratch("d.d"), "--stamp",
+                                         scratch("s"), "-o",        out()};
+    generate.insert(generate.end(), more.begin(), more.end());
+    const Outcome outcome = treedyn(generate, input);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_file(scratch("d.d"));
+  };
+  const std::string of_model = scratch("s") + ": " + kModel + "\n" + kModel + ":\n";
+  EXPECT_EQ(rule({kModel, "--effort", "0", "--equations", "-"}, equations), of_model);
+  EXPECT_EQ(rule({kModel, "--settings=-"}, "effort = 0\n"), of_model);
+  const std::string scene = "scene: s\nmodel: " + kModel + "\nduration: 1\n";
+  EXPECT_EQ(rule({"--effort", "0", "--scene", "-"}, scene), of_model);
+  EXPECT_EQ(rule({"--effort", "0", "-"}, read_file(kModel)), scratch("s") + ":\n");
+}
+
+TEST_F(Cli, ReadsStandardInputOnce) {
+  const std::string model = read_file(kModel);
+  write_file(scratch("s.txt"), "equations = -\n");
+  for (const std::vector<std::string>& two : {std::vector<std::string>{"-", "--equations", "-"},
+                                              {"-", "--equations=-"},
+                                              {"--scene", "-", "--settings", "-"},
+                                              {kModel, "--equations", "-", "--equations", "-"},
+                                              {"-", "--settings", scratch("s.txt")}}) {
+    std::vector<std::string> generate = {"generate", "-o", out()};
+    generate.insert(generate.end(), two.begin(), two.end());
+    expect_usage_error(treedyn(generate, model),
+                       "standard input (-) is read 2 times; expected it once");
+  }
+  EXPECT_FALSE(fs::exists(out()));
+}
+
 TEST_F(Cli, SaysHowToUpdateInWordsOfAnyShell) {
   const std::string folder = scratch("it's $HOME M\xc3\xbcller");
   fs::create_directories(folder);
