@@ -17,6 +17,7 @@
 #include "cli/settings_file.hpp"
 #include "common/decimal.hpp"
 #include "equations/scene_table.hpp"
+#include "model/scene_facts.hpp"
 #include "version.hpp"
 
 namespace treedyn {
@@ -229,6 +230,20 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   }
 }
 
+/// What no step can do, whatever the scene says.
+void require_generated_step(const Settings& settings) {
+  const StepChoice& step = settings.request.stepping;
+  refuse(step.compensated.value_or(false) && step.integrator == "sdirk2",
+         "--state: sdirk2 keeps no compensated state; expected plain, or --integrator rk4, "
+         "dopri5-fixed or semi-implicit-euler");
+  const std::vector<std::string> known = model::step_method_names();
+  const std::string integrator = settings.simulation.integrator.value_or(known.front());
+  refuse(settings.simulation.as_generated && std::ranges::find(known, integrator) == known.end(),
+         fmt::format("--integrator: {} is not for generated code; expected {}, or no "
+                     "--as-generated",
+                     integrator, fmt::join(known, ", ")));
+}
+
 /// What the language and the functions have words for.
 void require_words_of_language(const Request& request) {
   const bool c = request.language == emit::Language::kC99;
@@ -286,6 +301,7 @@ void split_equations(const CLI::App& app, Settings& settings) {
 void require_options(const CLI::App& app, Settings& settings) {
   split_equations(app, settings);
   tidy_study(settings.accuracy);
+  require_generated_step(settings);
   const auto generation = {"generate", "check", "outputs", "info"};
   if (std::ranges::any_of(generation, [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(*app.get_subcommands().front(), settings);

@@ -584,6 +584,12 @@ TEST(AsGenerated, NeedsAStepOfFixedLength) {
   EXPECT_NE(outcome.err.find("integrator 'fehlberg78' is not for generated code"),
             std::string::npos)
       << outcome.err;
+  const Outcome asked =
+      simulated(kScenes + "compass_walk.yaml", {"--as-generated", "--integrator", "fehlberg78"});
+  EXPECT_EQ(asked.status, 2);
+  EXPECT_NE(asked.err.find("--integrator: fehlberg78 is not for generated code; expected semi"),
+            std::string::npos)
+      << asked.err;
   EXPECT_EQ(simulated(kScenes + "compass_walk.yaml", {"--scalar", "float"}).status, 2);
 }
 

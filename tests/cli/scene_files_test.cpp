@@ -210,10 +210,22 @@ TEST_F(Cli, KnowsJointsThatAHeldPointLeavesFree) {
 
 TEST_F(Cli, RefusesAStateThatSdirk2DoesNotCompensate) {
   const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
-  const Outcome outcome = treedyn({"generate", "--scene", scene, "--integrator", "sdirk2",
-                                   "--state", "compensated", "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("sdirk2 keeps no compensated state"));
+  const std::string message = "--state: sdirk2 keeps no compensated state; expected plain";
+  expect_usage_error(treedyn({"generate", "--scene", scene, "--integrator", "sdirk2", "--state",
+                              "compensated", "-o", out()}),
+                     message);
+  write_file(scratch("s.txt"), "integrator = sdirk2\nstate = compensated\n");
+  const Outcome of_settings =
+      treedyn({"generate", "--scene", scene, "--settings", scratch("s.txt"), "-o", out()});
+  EXPECT_EQ(of_settings.status, 1);
+  EXPECT_THAT(of_settings.err, StartsWith(scratch("s.txt") + ":2: settings: " + message));
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " + kModel + "\nduration: 1\nstepping: {integrator: sdirk2}\n");
+  const Outcome of_scene =
+      treedyn({"generate", "--scene", scratch("s.yaml"), "--state", "compensated", "-o", out()});
+  EXPECT_EQ(of_scene.status, 1);
+  EXPECT_THAT(of_scene.err, StartsWith(scratch("s.yaml") + ":4:"));
+  EXPECT_THAT(of_scene.err, HasSubstr("sdirk2 keeps no compensated state"));
 }
 
 TEST_F(Cli, RefusesAnUnknownIntegratorOfAScene) {
