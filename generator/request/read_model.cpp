@@ -222,15 +222,20 @@ void require_step(const Model& model, const Location& where) {
 
 namespace {
 
-/// A MODEL beside a scene has to be the scene's own, in every byte.
+/// A MODEL beside a scene has to be the scene's own, in every byte; on the scene's base.
 void check_model(const Request& request, const model::Scene& scene, const std::string& text) {
   if (request.model.empty()) {
     return;
   }
-  const bool same_base = request.read.base == description::Base::kFixed ||
-                         description::base_of(scene.tree) == request.read.base;
-  if (!same_base || scene.tree_file.empty() ||
-      description::read_model_text(request.model) != text) {
+  if (request.read.base == description::Base::kAxes &&
+      description::base_of(scene.tree) == description::Base::kFixed) {
+    throw InputError(
+        {*request.scene, 0, 0},
+        fmt::format("scene '{}' has a fixed base, not --base axes; expected no --base, "
+                    "or `base: axes` in the scene",
+                    shown(scene.name)));
+  }
+  if (scene.tree_file.empty() || description::read_model_text(request.model) != text) {
     throw InputError({request.model, 0, 0},
                      fmt::format("is not the model of scene '{}'; expected that one, or none",
                                  shown(scene.name)));

@@ -170,6 +170,19 @@ TEST_F(Cli, StatesTheGravityAndBaseOfAScene) {
               HasSubstr("base axes"));
 }
 
+TEST_F(Cli, TellsABaseFromAModelThatIsNotTheScenes) {
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " + kModel + "\nduration: 1\n");
+  const Outcome base =
+      treedyn({"generate", kModel, "--base", "axes", "--scene", scratch("s.yaml"), "-o", out()});
+  EXPECT_EQ(base.status, 1);
+  EXPECT_THAT(base.err, StartsWith(scratch("s.yaml") + ": scene 's' has a fixed base, not --base "
+                                                       "axes; expected no --base, or"));
+  const std::string other = TREEDYN_SOURCE_DIR "/models/puma560.yaml";
+  const Outcome model = treedyn({"generate", other, "--scene", scratch("s.yaml"), "-o", out()});
+  EXPECT_EQ(model.status, 1);
+  EXPECT_THAT(model.err, StartsWith(other + ": is not the model of scene 's'; expected that one"));
+}
+
 /// A scene of an arm of links with these joints, one on the other.
 std::string scene_of_arm(const std::string& folder, const std::vector<std::string>& joints,
                          const std::string& lines) {
