@@ -1,7 +1,10 @@
 #include "cli/check.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <set>
 #include <string_view>
@@ -56,9 +59,12 @@ std::optional<std::string> content(const fs::path& path) {
 /// True if `stem` is a complete set of files of another model, or of the model with other options.
 bool is_another(const fs::path& folder, const std::string& stem, const std::string& our_source) {
   const std::optional<std::string> manifest = content(folder / (stem + ".json"));
+  const auto is_there = [&](const char* ending) {
+    std::error_code ignored;
+    return fs::exists(folder / (stem + ending), ignored);
+  };
   return manifest && has_mark(*manifest) && source_of(*manifest) != our_source &&
-         ((fs::exists(folder / (stem + ".hpp")) && fs::exists(folder / (stem + ".cpp"))) ||
-          (fs::exists(folder / (stem + ".h")) && fs::exists(folder / (stem + ".c"))));
+         ((is_there(".hpp") && is_there(".cpp")) || (is_there(".h") && is_there(".c")));
 }
 
 /// Generated files in `folder` that are not among `files`, sorted by name.
@@ -100,6 +106,23 @@ std::string verdict(const std::string& old_text, const std::string& new_text,
                      lines == 1 ? "" : "s");
 }
 
+/// Why there is nothing to compare at a path.
+std::string absence(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) {
+    return fmt::format("missing: {}\n", path);
+  }
+  if (!error && !fs::is_regular_file(status)) {
+    return fmt::format("no file: {}\n", path);
+  }
+  if (!error && ::access(path.c_str(), R_OK) != 0) {
+    error.assign(errno, std::generic_category());
+  }
+  return fmt::format("{}: cannot be read: {}\n", path,
+                     error ? error.message() : std::generic_category().message(EIO));
+}
+
 }  // namespace
 
 std::string check_files(const std::vector<emit::File>& files, const std::string& folder) {
@@ -109,8 +132,7 @@ std::string check_files(const std::vector<emit::File>& files, const std::string&
     const std::string path = (fs::path(folder) / file.name).string();
     const std::optional<std::string> present = content(path);
     if (!present) {
-      std::error_code ignored;
-      report += fmt::format("{}: {}\n", fs::exists(path, ignored) ? "no file" : "missing", path);
+      report += absence(path);
     } else if (*present != file.text) {
       report += verdict(*present, file.text, path);
       diffs += without_returns(*present) == file.text

@@ -141,6 +141,29 @@ TEST_F(Hostile, PipesAndDevicesAreNoOutput) {
   EXPECT_FALSE(fs::exists(scratch("o")));
 }
 
+TEST_F(Hostile, FilesThatCannotBeReadAreToldFromThoseThatAreNone) {
+  ASSERT_EQ(treedyn({"generate", kModel, "--effort", "0", "-o", out()}).status, 0);
+  const auto check = [&] {
+    const Outcome outcome = treedyn({"check", kModel, "--effort", "0", "-o", out()});
+    EXPECT_EQ(outcome.status, 1);
+    return outcome.out;
+  };
+  fs::remove(file("two_link.hpp"));
+  EXPECT_THAT(check(), StartsWith("missing: " + file("two_link.hpp").string() + "\n"));
+  fs::create_symlink("two_link.hpp", file("two_link.hpp"));
+  EXPECT_THAT(check(), StartsWith(file("two_link.hpp").string() +
+                                  ": cannot be read: Too many levels of symbolic links\n"));
+  fs::remove(file("two_link.hpp"));
+  fs::create_directory(file("two_link.hpp"));
+  EXPECT_THAT(check(), StartsWith("no file: " + file("two_link.hpp").string() + "\n"));
+  if (::geteuid() == 0) {
+    GTEST_SKIP() << "root reads every file";
+  }
+  fs::permissions(file("two_link.cpp"), fs::perms::none);
+  EXPECT_THAT(check(),
+              HasSubstr(file("two_link.cpp").string() + ": cannot be read: Permission denied\n"));
+}
+
 TEST_F(Hostile, SymbolicLinksToFilesStay) {
   fs::create_directories(out());
   fs::create_directories(scratch("real"));
