@@ -71,6 +71,7 @@ class Translator {
   std::set<std::string> function(const std::string& line, bool is_local, bool is_noinline,
                                  Lines& result);
   void statement(const Lines& lines, std::size_t& at, Lines& result) const;
+  void own_structure(const Lines& lines, std::size_t at, Lines& result);
   bool frame(const std::string& line, bool& is_local, Lines& result) const;
   void structure(const Lines& lines, std::size_t& at, Lines& result) const;
 
@@ -78,6 +79,7 @@ class Translator {
   std::set<std::string> functions_;             ///< with external linkage
   std::set<std::string> exported_;              ///< all that the header names, with the prefix
   std::map<std::string, std::string> renamed_;  ///< what the source alone has and is called so
+  std::map<std::string, std::string> zeros_;    ///< of the source's structs, member by member
   ReferencePlaces by_reference_;
 };
 
@@ -163,7 +165,9 @@ std::string Translator::words(const std::string& line) const {
     code = replaced(code, fmt::format("Scalar({})", number), fmt::format("(Scalar){}", number));
   }
   code = replaced(replaced(code, " Scalar(", " (Scalar)("), "(Scalar(", "((Scalar)(");
-  code = replaced(code, "= {};", "= {0};");
+  const std::size_t type = std::min(code.find_first_not_of(' '), code.size());
+  const auto zero = zeros_.find(code.substr(type, code.find(' ', type) - type));
+  code = replaced(code, "= {};", fmt::format("= {};", zero == zeros_.end() ? "{0}" : zero->second));
   std::string result;
   for (std::size_t at = 0; at < code.size();) {
     std::size_t end = at;
@@ -382,6 +386,20 @@ void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) c
   }
 }
 
+/// A struct of the source, which is called as in C++; C++ reads a zero of it without a warning if
+/// every member has one.
+void Translator::own_structure(const Lines& lines, std::size_t at, Lines& result) {
+  const std::string_view behind_struct = behind(lines[at], "struct ");
+  const std::string name(behind_struct.substr(0, behind_struct.find(' ')));
+  result.push_back(fmt::format("typedef struct {0} {0};", name));
+  Lines members;
+  for (++at; lines[at] != "};"; ++at) {
+    const std::string member = lines[at].substr(0, lines[at].find("//"));
+    members.emplace_back(member.find('[') == std::string::npos ? "0" : "{0}");
+  }
+  zeros_[name] = fmt::format("{{{}}}", fmt::join(members, ", "));
+}
+
 /// What stands around the functions: namespaces, includes, the digest. True if the line is of it.
 bool Translator::frame(const std::string& line, bool& is_local, Lines& result) const {
   if (line == "namespace {" || line == "}  // namespace") {
@@ -456,8 +474,8 @@ std::string Translator::source(const std::string& text) {
     if (frame(line, is_local, result)) {
       continue;
     }
-    if (const auto name = behind(line, "struct "); !name.empty()) {
-      result.push_back(fmt::format("typedef struct {0} {0};", name.substr(0, name.find(' '))));
+    if (line.starts_with("struct ")) {
+      own_structure(lines, at, result);
     }
     if (begins_function(line)) {
       lines[at] = line;

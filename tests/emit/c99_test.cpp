@@ -64,6 +64,7 @@ TEST_P(C99, HasTheBitsOfTheCppFunctions) {
                   "-Wstrict-prototypes -c {1}m.c -o {1}c.o",
                   kWarnings, at));
   compile(fmt::format("-x c++ -std=c++11 {0} -fsyntax-only {1}m.h", kWarnings, at));
+  compile(fmt::format("-x c++ -std=c++11 {0} -DPLACE= -fsyntax-only {1}m.c", kWarnings, at));
   compile(fmt::format("-std=c++11 {0} -DPLACE= -c {1}m.cpp -o {1}cpp.o", kWarnings, at));
   compile(fmt::format("-std=c++17 -O1 {0}driver.cpp {0}c.o {0}cpp.o -o {0}driver", at));
   const Outcome outcome = support::run({at + "driver"});
