@@ -157,11 +157,12 @@ void refuse_empty_values(const std::vector<std::string>& words) {
 
 /// Standard input is read once: as MODEL or scene, or as a file that an option names.
 void refuse_standard_input_twice(const std::vector<std::string>& words) {
-  static const std::set<std::string> kOutputs = {"-o", "--output", "--depfile", "--stamp"};
+  static const std::set<std::string> kReading = {"--scene", "--equations", "--settings"};
   static const std::set<std::string> kInputs = {"--scene=-", "--equations=-", "--settings=-"};
   int count = 0;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    const bool is_input = words[k] == "-" && (k == 0 || !kOutputs.contains(words[k - 1]));
+    const bool is_input = words[k] == "-" && (k == 0 || !words[k - 1].starts_with('-') ||
+                                              kReading.contains(words[k - 1]));
     count += is_input || kInputs.contains(words[k]) ? 1 : 0;
   }
   if (count > 1) {

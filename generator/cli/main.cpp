@@ -181,7 +181,7 @@ int run_generate(const Settings& settings) {
   if (!settings.stamp.empty()) {
     outputs.push_back({settings.stamp, "", true});
   }
-  const int changed = write_files(outputs);
+  const int changed = write_files(outputs, Links::kFollowed);
   trace_of(settings)(fmt::format("{} of {} files written", changed, outputs.size()));
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   trace_of(settings)(fmt::format("in all: {:.1f} s", time.count()));

@@ -218,8 +218,8 @@ std::optional<Warning> warning_of_start(const std::string& file, const model::Sc
       (std::ranges::all_of(scene.q0, is_zero) && std::ranges::all_of(scene.qd0, is_zero))) {
     return std::nullopt;
   }
-  const std::unique_ptr<simulation::Dynamics> dynamics = engine_dynamics(scene);
   try {
+    const std::unique_ptr<simulation::Dynamics> dynamics = engine_dynamics(scene);
     simulation::Simulator(scene, *dynamics, {}).settle();
   } catch (const std::runtime_error& problem) {
     return Warning{{file, 0, 0}, fmt::format("{}; simulate refuses it", problem.what())};

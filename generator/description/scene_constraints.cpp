@@ -37,20 +37,22 @@ void SceneEffects::add(const SceneFields& fields, model::Constraint constraint) 
 
 namespace {
 
-/// True if the positions that two rows of one direction hold differ, or one rests and one moves.
+/// True if the positions that two rows along one axis hold differ, or one rests and one moves. What
+/// rows along other directions hold are sums of components.
 bool places_differ(const model::Constraint& a, std::size_t i, const model::Constraint& b) {
+  std::vector<std::size_t> components;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (a.kind == ConstraintKind::kPoint && a.directions[i][k] == 0) {
-      continue;
-    }
-    const model::Expression& x = a.curve.position[k];
-    const model::Expression& y = b.curve.position[k];
-    const bool moves = x.uses(model::Quantity::kTime) || y.uses(model::Quantity::kTime);
-    if (a.pinned || b.pinned ? moves : !(x == y)) {
-      return true;
+    if (a.kind == ConstraintKind::kJoint ? k == 0 : a.directions[i][k] != 0) {
+      components.push_back(k);
     }
   }
-  return false;
+  if (components.size() != 1) {
+    return false;
+  }
+  const model::Expression& x = a.curve.position[components.front()];
+  const model::Expression& y = b.curve.position[components.front()];
+  const bool moves = x.uses(model::Quantity::kTime) || y.uses(model::Quantity::kTime);
+  return a.pinned || b.pinned ? moves : !(x == y);
 }
 
 /// True if row i of `a` and row j of `b` hold the same direction and state different accelerations,
@@ -104,16 +106,17 @@ void SceneEffects::refuse_contradictions(const SceneFields& root) const {
   }
 }
 
-/// Which of the two holds the joint nothing decides.
+/// Which of the two holds the joint nothing decides where it rests.
 void SceneEffects::refuse_friction_at_rest(const SceneFields& root,
                                            const model::Constraint& constraint) const {
   if (constraint.kind == ConstraintKind::kJoint &&
       std::ranges::count(context_.scene().frictions, constraint.joint, &model::DryFriction::joint) >
           0) {
-    root.fail(places_.at(constraint.name),
-              fmt::format("constraint '{}' locks a joint that dry friction without slip_speed "
-                          "holds as well; expected a slip_speed, or one of them",
-                          shown(constraint.name)));
+    root.fail(
+        places_.at(constraint.name),
+        fmt::format("constraint '{}' locks or leads a joint that dry friction without slip_speed "
+                    "holds as well; expected a slip_speed, or one of them",
+                    shown(constraint.name)));
   }
 }
 
@@ -210,6 +213,26 @@ void SceneEffects::orientation_constraint(const SceneFields& fields) {
   add(fields, std::move(constraint));
 }
 
+namespace {
+
+/// Two points of one link that no position brings together: in all directions, on the ground in
+/// any.
+bool keeps_apart(const model::Scene& scene, const model::Constraint& joined) {
+  const model::Point& a = scene.points[to_index(joined.point)];
+  const model::Point& b = scene.points[to_index(joined.other)];
+  const model::Vector3 apart = a.at - b.at;
+  const Real least("1e-9");
+  if (a.link != b.link) {
+    return false;
+  }
+  return a.link == model::kGround
+             ? std::ranges::any_of(joined.directions,
+                                   [&](const auto& d) { return abs(dot(d, apart)) > least; })
+             : joined.rows() >= 3 && norm(apart) > least;
+}
+
+}  // namespace
+
 void SceneEffects::joined_constraint(const SceneFields& fields) {
   model::Constraint constraint;
   constraint.kind = ConstraintKind::kJoined;
@@ -218,17 +241,15 @@ void SceneEffects::joined_constraint(const SceneFields& fields) {
   if (constraint.point == constraint.other) {
     fields.fail(fields.get("other").where, "a point is joined to itself; expected two points");
   }
-  const model::Point& first = scene().points[to_index(constraint.point)];
-  const model::Point& second = scene().points[to_index(constraint.other)];
-  if (first.link == second.link && norm(first.at - second.at) > Real("1e-9")) {
+  read_directions(fields, constraint);
+  if (keeps_apart(scene(), constraint)) {
     fields.fail(fields.get("other").where,
                 fmt::format("'{}' and '{}' are fixed to one link, or to the ground, at different "
                             "places; expected points of two",
-                            shown(first.name), shown(second.name)));
+                            shown(fields.text("point").text), shown(fields.text("other").text)));
   }
   constraint.name = fields.text_or(
       "name", fmt::format("{}_{}", fields.text("point").text, fields.text("other").text));
-  read_directions(fields, constraint);
   add(fields, std::move(constraint));
 }
 

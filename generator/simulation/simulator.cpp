@@ -136,12 +136,15 @@ double Simulator::settle() {
     const std::string& name = scene_.constraints[static_cast<std::size_t>(worst.constraint)].name;
     throw std::runtime_error(fmt::format("{}: '{}' stays {:.3g} off", what, name, worst.size));
   };
+  if (!y_.allFinite()) {
+    throw std::runtime_error("the initial state meets the constraints nowhere in finite numbers");
+  }
   const System::Violation of_place = system_.violation(t_, position);
   if (of_place.constraint >= 0 && !(of_place.size <= kSettled)) {
     refuse("the initial state is not near one that meets the constraints", of_place);
   }
   const System::Violation of_speed = system_.speed_violation(t_, position, velocity);
-  if (of_speed.size > kSettledSpeed) {
+  if (of_speed.constraint >= 0 && !(of_speed.size <= kSettledSpeed)) {
     refuse("no velocity meets the constraints at the initial state", of_speed);
   }
   watches_.clear();  // contacts are open or closed by where their points are now

@@ -376,9 +376,11 @@ Vector System::impact(double t, const Vector& q, Vector& qd, const std::vector<i
 }
 
 System::Violation System::largest_of(const Vector& rows) const {
-  Eigen::Index row = 0;
-  const double size = rows.cwiseAbs().maxCoeff(&row);
-  return {size, constraints_.constraint(static_cast<int>(row))};
+  int row = 0;
+  for (int k = 1; k < rows.size() && std::isfinite(rows[row]); ++k) {
+    row = std::isfinite(rows[k]) && std::fabs(rows[k]) <= std::fabs(rows[row]) ? row : k;
+  }
+  return {std::fabs(rows[row]), constraints_.constraint(row)};
 }
 
 System::Violation System::violation(double t, const Vector& q) {

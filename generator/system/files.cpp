@@ -71,7 +71,8 @@ std::string end_of_links(const std::string& path) {
 /// copy removed, unless `keep` is called.
 class Temporary {
  public:
-  explicit Temporary(const OutputFile& file) : target_(end_of_links(file.path)) {
+  Temporary(const OutputFile& file, Links links)
+      : target_(links == Links::kFollowed ? end_of_links(file.path) : file.path) {
     const fs::path folder = fs::path(target_).parent_path();
     path_ =
         (folder / (".treedyn-" + fs::path(target_).filename().string().substr(0, 200) + "-XXXXXX"))
@@ -126,7 +127,7 @@ class Temporary {
 
  private:
   /// Keeps what stands in the file's place, if anything does, by another link or, where there are
-  /// none, by another name.
+  /// none, by a copy.
   void set_aside() {
     const std::string old = path_ + "~";
     if (::link(target_.c_str(), old.c_str()) == 0) {
@@ -136,10 +137,12 @@ class Temporary {
       if (fs::is_directory(target_, ignored)) {
         fail(target_, "cannot write", EISDIR);
       }
-      if (::rename(target_.c_str(), old.c_str()) != 0) {
-        fail(target_, "cannot write", errno);
-      }
       old_ = old;
+      std::error_code error;
+      fs::copy_file(target_, old, error);
+      if (error) {
+        fail(target_, "cannot write", error.value());
+      }
     }
   }
 
@@ -204,7 +207,7 @@ void check_target(const std::string& path) {
 
 }  // namespace
 
-int write_files(const std::vector<OutputFile>& files) {
+int write_files(const std::vector<OutputFile>& files, Links links) {
   const HeldSignals signals;
   for (const OutputFile& file : files) {
     check_target(file.path);
@@ -217,7 +220,7 @@ int write_files(const std::vector<OutputFile>& files) {
       continue;
     }
     folders.make(fs::path(file.path).parent_path());
-    temporaries.emplace_back(file);
+    temporaries.emplace_back(file, links);
   }
   for (Temporary& temporary : temporaries) {
     temporary.put_in_place();

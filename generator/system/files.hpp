@@ -16,13 +16,17 @@ struct OutputFile {
 /// The bytes of a file; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 
+/// What becomes of a symbolic link to a file in the place of one: the new file, or it stays and
+/// where it leads is written.
+enum class Links { kReplaced, kFollowed };
+
 /// Writes all files or none: temporary files beside the targets first, each flushed to the disk and
 /// checked, then renamed; where one cannot be, those before it get back what they were. A file
 /// whose content would not change is not touched unless it asks for that; missing folders are made.
 /// Signals wait meanwhile. What stands in the place of a file has to be one: no folder, no
-/// device; a symbolic link to one stays, and where it leads is written.
+/// device.
 /// \returns the number of files that changed. \throws InputError naming the path; nothing is left
 /// behind then.
-int write_files(const std::vector<OutputFile>& files);
+int write_files(const std::vector<OutputFile>& files, Links links = Links::kReplaced);
 
 }  // namespace treedyn

@@ -139,6 +139,21 @@ TEST_F(Cli, WarnsOfReboundsThatNeverRest) {
   EXPECT_THAT(warnings("free", ""), Not(HasSubstr("rebounds")));
 }
 
+TEST_F(Cli, WarnsOfAnInitialStateThatSimulateRefuses) {
+  const auto warnings = [&](const std::string& x) {
+    write_file(
+        scratch("s.yaml"),
+        "scene: s\nmodel: " + kModel +
+            "\nduration: 1\neffects:\n  point_constraint: [{point: tip, along: [x, z], curve: "
+            "[" +
+            x + ", 0, 0]}]\ninitial: {q: {shoulder: 0.3, elbow: -0.6}}\n");
+    return treedyn({"generate", "--scene", scratch("s.yaml"), "--effort", "0", "-o", out()}).err;
+  };
+  EXPECT_THAT(warnings("50"), HasSubstr("the initial state is not near one that meets the "
+                                        "constraints: 'tip' stays"));
+  EXPECT_THAT(warnings("0.5"), Not(HasSubstr("simulate refuses")));
+}
+
 TEST_F(Cli, SaysWhatTheRowsOfASceneAre) {
   write_file(scratch("s.yaml"), "scene: s\nmodel: " + kModel +
                                     "\nduration: 1\nactuated: []\neffects:\n  point_constraint:\n"

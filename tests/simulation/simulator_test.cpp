@@ -716,6 +716,14 @@ TEST(InitialState, IsRefusedWhereNoStateMeetsTheConstraints) {
             "no velocity meets the constraints at the initial state: 'ball' stays 1 off");
 }
 
+TEST(InitialState, MayHoldTwoPointsOfOneLinkLevel) {
+  const Running run(
+      scene_of("scene: s\nmodel: ../two_link.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  "
+               "joined_constraint: [{point: forearm, other: tip, along: [z]}]\ninitial: {q: "
+               "{shoulder: 0.3, elbow: -0.3}}\nduration: 1\n"));
+  EXPECT_NEAR(run.simulator.q()[0] + run.simulator.q()[1], 0, 1e-12);
+}
+
 /// A free body without forces whose angular velocity has no part along some directions.
 std::string leaned(const std::string& along) {
   return "scene: s\nmodel: ../../tests/scenes/models/free_body.yaml\nbase: axes\neffects:\n"
