@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "derive/exact_options.hpp"
 #include "derive/turning.hpp"
 #include "description/read.hpp"
 #include "equations/equations.hpp"
@@ -128,18 +129,8 @@ class Programs : public testing::TestWithParam<Mechanism> {
         tree_(GetParam().file != nullptr
                   ? description::read_model(
                         std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam().file, {})
-                  : decimal_tree(GetParam().shape, dice_)) {
-    for (int link = model::kGround; link < tree_.size(); ++link) {
-      model::Point point;
-      point.link = link;
-      point.identifier = "p" + std::to_string(options_.points.size());
-      point.at = {Real("0.25"), Real("-0.5"), Real("0.75")};
-      options_.points.push_back(point);
-    }
-    options_.gravity = {Real(1), Real(2), Real("-9.81")};
-    options_.effort = 0;
-    options_.without = {formulate::Pass::kNormals};  // whose frames have other angles than quarters
-  }
+                  : decimal_tree(GetParam().shape, dice_)),
+        options_(support::exact_options(tree_, 0)) {}
 
   [[nodiscard]] Exact input(const expansion::Expansion& e, const formulate::Recipe& recipe,
                             int array, int k) const {

@@ -3,11 +3,13 @@
 // everywhere is zero at such a point with a probability of its degree in 2^61. Models as in
 // exact_test.cpp, also those whose polynomials are too large.
 #include <cstdint>
+#include <random>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "block/evaluate.hpp"
+#include "derive/exact_options.hpp"
 #include "derive/turning.hpp"
 #include "description/read.hpp"
 #include "equations/equations.hpp"
@@ -21,10 +23,11 @@
 namespace treedyn {
 namespace {
 
-/// An integer modulo 2^61 - 1.
+/// An integer modulo 2^61 - 31: another prime than that of the keys by which programs are
+/// simplified (program/residue.hpp), and no arithmetic of theirs.
 class Residue {
  public:
-  static constexpr std::uint64_t kPrime = (std::uint64_t{1} << 61U) - 1;
+  static constexpr std::uint64_t kPrime = (std::uint64_t{1} << 61U) - 31;
 
   Residue() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): Eigen and `block` write numbers as scalars
@@ -108,16 +111,10 @@ Number program::from_real<Number>(const Real& value) {
 
 namespace {
 
-/// Random elements of the field (splitmix64).
+/// Random elements of the field.
 class Elements {
  public:
-  Residue next() {
-    state_ += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t x = state_;
-    x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
-    return Residue::of(x ^ (x >> 31U));
-  }
+  Residue next() { return Residue::of(engine_()); }
   std::vector<Residue> next(std::size_t count) {
     std::vector<Residue> result(count);
     std::ranges::generate(result, [this] { return next(); });
@@ -125,7 +122,7 @@ class Elements {
   }
 
  private:
-  std::uint64_t state_ = 1;
+  std::mt19937_64 engine_;
 };
 
 using Residues = std::vector<Residue>;
@@ -264,18 +261,8 @@ class Field : public testing::TestWithParam<const char*> {
  protected:
   Field()
       : tree_(description::read_model(std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam(), {})),
-        n_(tree_.links.size()) {
-    for (int link = model::kGround; link < tree_.size(); ++link) {
-      model::Point point;
-      point.link = link;
-      point.identifier = "p" + std::to_string(options_.points.size());
-      point.at = {Real("0.25"), Real("-0.5"), Real("0.75")};
-      options_.points.push_back(point);
-    }
-    options_.gravity = {Real(1), Real(2), Real("-9.81")};
-    options_.effort = 20;
-    options_.without = {formulate::Pass::kNormals};  // whose frames have other angles than quarters
-  }
+        n_(tree_.links.size()),
+        options_(support::exact_options(tree_, 20)) {}
 
   [[nodiscard]] Residues program(const Point& point, const std::string& name,
                                  const Residues& last) const {
