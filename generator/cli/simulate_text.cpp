@@ -107,7 +107,7 @@ std::string kept_json(const SimulateResult& result) {
                             {"largest_drift", json_number(recording.drift)}});
 }
 
-/// null: stable at any step.
+/// null: none found.
 std::string stable_json(const SimulateResult& result) {
   std::vector<std::pair<std::string, std::string>> members;
   for (const simulation::StabilityLimit& limit : result.stability.limits) {
@@ -172,7 +172,7 @@ std::vector<std::string> facts_of(const SimulateResult& result) {
   for (const simulation::StabilityLimit& limit : result.stability.limits) {
     lines.push_back(limit.step ? fmt::format("{} is stable up to steps of {:.3g} s here",
                                              limit.integrator, *limit.step)
-                               : fmt::format("{} is stable at any step here", limit.integrator));
+                               : fmt::format("no limit of {} found here", limit.integrator));
   }
   if (result.seconds) {
     lines.push_back(

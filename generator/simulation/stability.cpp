@@ -165,7 +165,8 @@ std::optional<double> method_limit(Integrator& integrator, const Eigen::VectorXc
 }
 
 /// Semi-implicit Euler, qdd = -K q - D qd: z^2 - (2 - D h - K h^2) z + (1 - D h) = 0 reaches
-/// z = -1 where (4/h^2 - 2 D/h - K) x = 0: the largest such 1/h.
+/// z = -1 where (4/h^2 - 2 D/h - K) x = 0: the largest such 1/h. An upper bound: where D and K do
+/// not commute a complex pair may leave the unit circle before.
 std::optional<double> euler_limit(const Eigen::MatrixXd& f) {
   const Eigen::Index n = f.rows();
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
