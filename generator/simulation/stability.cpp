@@ -30,6 +30,10 @@ constexpr double kSlow = 1e-5;  // 1/s
 constexpr double kNearest = 0.3;
 constexpr double kFarthest = 30;
 constexpr int kRaySteps = 100;
+/// The same for semi-implicit Euler, each with eigenvalues of its own.
+constexpr double kShortest = 1e-3;
+constexpr int kEulerSteps = 40;
+constexpr int kEulerBisections = 20;
 
 /// Normal force of a contact at rest at a depth.
 double force_at(const ContactLaw& contact, double depth) {
@@ -164,10 +168,9 @@ std::optional<double> method_limit(Integrator& integrator, const Eigen::VectorXc
   return limit;
 }
 
-/// Semi-implicit Euler, qdd = -K q - D qd: z^2 - (2 - D h - K h^2) z + (1 - D h) = 0 reaches
-/// z = -1 where (4/h^2 - 2 D/h - K) x = 0: the largest such 1/h. An upper bound: where D and K do
-/// not commute a complex pair may leave the unit circle before.
-std::optional<double> euler_limit(const Eigen::MatrixXd& f) {
+/// Semi-implicit Euler, qdd = A q + B qd: z^2 - (2 + B h + A h^2) z + (1 + B h) = 0 reaches z = -1
+/// where (4/h^2 + 2 B/h + A) x = 0: the largest such 1/h.
+std::optional<double> reversing_step(const Eigen::MatrixXd& f) {
   const Eigen::Index n = f.rows();
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   companion.topRightCorner(n, n).setIdentity();
@@ -182,6 +185,42 @@ std::optional<double> euler_limit(const Eigen::MatrixXd& f) {
     }
   }
   return most > 0 ? std::optional<double>(1 / most) : std::nullopt;
+}
+
+/// How many modes a step of semi-implicit Euler amplifies.
+std::ptrdiff_t amplified(const Eigen::MatrixXd& f, double h) {
+  const Eigen::Index n = f.rows();
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
+  Eigen::MatrixXd step(2 * n, 2 * n);
+  step.bottomLeftCorner(n, n) = h * f.leftCols(n);
+  step.bottomRightCorner(n, n) = unit + h * f.rightCols(n);
+  step.topLeftCorner(n, n) = unit + h * step.bottomLeftCorner(n, n);
+  step.topRightCorner(n, n) = h * step.bottomRightCorner(n, n);
+  const Eigen::VectorXcd all = step.eigenvalues();
+  return std::ranges::count_if(all, [](const Complex& z) { return std::abs(z) > 1 + kGrowth; });
+}
+
+/// The least step that amplifies more modes than those that the motion does not damp. Where A and B
+/// do not commute these are pairs, which leave the unit circle before one reaches -1.
+std::optional<double> euler_limit(const Eigen::MatrixXd& f, const Eigen::VectorXcd& lambdas,
+                                  double size) {
+  const std::optional<double> reversing = reversing_step(f);
+  const auto kept = std::ranges::count_if(
+      lambdas, [&](const Complex& lambda) { return lambda.real() >= -kSmall * size; });
+  const double last = std::min(reversing.value_or(kFarthest / size), kFarthest / size);
+  double low = kShortest / size;
+  const double ratio = std::pow(last / low, 1.0 / kEulerSteps);
+  for (int k = 0; k < kEulerSteps; ++k, low *= ratio) {
+    double high = low * ratio;
+    if (amplified(f, high) > kept) {
+      for (int n = 0; n < kEulerBisections; ++n) {
+        const double middle = (low + high) / 2;
+        (amplified(f, middle) > kept ? high : low) = middle;
+      }
+      return low;
+    }
+  }
+  return reversing;
 }
 
 }  // namespace
@@ -217,7 +256,7 @@ Stability stability_at(const model::Scene& scene, System& system, double t, cons
     const std::unique_ptr<Integrator> integrator = row.make();
     result.limits.push_back({std::string(row.name),
                              row.name == "semi-implicit-euler"
-                                 ? euler_limit(f)
+                                 ? euler_limit(f, lambdas, std::abs(result.fastest))
                                  : method_limit(*integrator, lambdas, std::abs(result.fastest))});
   }
   return result;

@@ -20,7 +20,7 @@ inline constexpr double kGrowth = 1e-6;
 
 struct StabilityLimit {
   std::string integrator;
-  std::optional<double> step;  ///< s; nothing: none found; of semi-implicit Euler an upper bound
+  std::optional<double> step;  ///< s; nothing: none found
 };
 
 struct Stability {

@@ -1,5 +1,7 @@
 // What a motion promises: each broken promise is noticed, and ends the motion beyond its bound.
 #include <cmath>
+#include <complex>
+#include <fstream>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -389,6 +391,38 @@ TEST(Stability, LimitsOfAnOscillatorAreThoseOfTheTextbooks) {
   EXPECT_EQ(limit_of(scene, "sdirk2"), 0);                              // none
   support::each_damping(scene, [](Real& damping) { damping = 1000; });  // omega^2 h^2 + 2 d h = 4
   EXPECT_NEAR(limit_of(scene, "semi-implicit-euler"), (std::sqrt(5.0) - 1) * 1e-3, 1e-8);
+}
+
+/// The largest step up to which the roots of z^2 - (2 - c h - k h^2) z + (1 - c h) = 0 stay within
+/// the unit circle.
+double limit_of_roots(std::complex<double> c, double k) {
+  double low = 0;
+  double high = 0.01;
+  for (int n = 0; n < 60; ++n) {
+    const double h = (low + high) / 2;
+    const std::complex<double> p = 2.0 - c * h - k * h * h;
+    const std::complex<double> root = std::sqrt(p * p - 4.0 * (1.0 - c * h));
+    const double largest = std::max(std::abs(p + root), std::abs(p - root)) / 2;
+    (largest > 1 + kGrowth ? high : low) = h;
+  }
+  return low;
+}
+
+/// A mass in a plane, forces across its velocity: x + i y is one complex oscillator, whose modes
+/// leave the unit circle as pairs.
+TEST(Stability, OfSemiImplicitEulerEndsWherePairsGrow) {
+  const std::string folder = testing::TempDir();
+  std::ofstream(folder + "plane.yaml")
+      << "name: plane\nlinks:\n"
+         "  - {name: a, father: ground, joint: {name: x, type: prismatic, axis: [1, 0, 0]}}\n"
+         "  - {name: b, father: a, joint: {name: y, type: prismatic, axis: [0, 1, 0]}, mass: 1}\n";
+  std::ofstream(folder + "across.yaml")
+      << "scene: across\nmodel: plane.yaml\nduration: 1\neffects:\n  drive:\n"
+         "    - {joint: x, torque: \"-25*q[x] + 10*qd[y] - 0.2*qd[x]\"}\n"
+         "    - {joint: y, torque: \"-25*q[y] - 10*qd[x] - 0.2*qd[y]\"}\n";
+  const model::Scene scene = description::read_scene(folder + "across.yaml");
+  const double limit = limit_of_roots({0.2, 10}, 25);
+  EXPECT_NEAR(limit_of(scene, "semi-implicit-euler"), limit, 1e-5 * limit);
 }
 
 /// drop closes its contact to the depth that stores the fall's m g h: k d^(n+1)/(n+1).
