@@ -207,8 +207,11 @@ std::optional<double> euler_limit(const Eigen::MatrixXd& f, const Eigen::VectorX
   const std::optional<double> reversing = reversing_step(f);
   const auto kept = std::ranges::count_if(
       lambdas, [&](const Complex& lambda) { return lambda.real() >= -kSmall * size; });
+  if (kept == lambdas.size()) {
+    return reversing;
+  }
   const double last = std::min(reversing.value_or(kFarthest / size), kFarthest / size);
-  double low = kShortest / size;
+  double low = std::min(kShortest / size, last);
   const double ratio = std::pow(last / low, 1.0 / kEulerSteps);
   for (int k = 0; k < kEulerSteps; ++k, low *= ratio) {
     double high = low * ratio;

@@ -34,9 +34,10 @@ struct Stability {
 /// Contacts are closed: each to the depth at which it holds the energy with which its point would
 /// arrive, falling from where it is, or carries what presses on it, whichever is deeper.
 /// Eigenvalues of central differences of qdd(q, qd); a method is stable where no mode that does not
-/// grow by itself grows by more than kGrowth in a step. Empty for more than kStabilityJoints
-/// joints, or where the differences are not finite. Cost: 4 N + 1 evaluations and eigenvalues of 2
-/// N x 2 N.
+/// grow by itself grows by more than kGrowth in a step, semi-implicit Euler where none changes its
+/// sign in every step and no more grow than the motion does not damp. Empty for more than
+/// kStabilityJoints joints, or where the differences are not finite. Cost: 4 N + 1 evaluations and
+/// eigenvalues of 2 N x 2 N, up to sixty times.
 Stability stability_at(const model::Scene& scene, System& system, double t, const Vector& q,
                        const Vector& qd);
 
