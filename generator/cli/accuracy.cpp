@@ -12,6 +12,7 @@
 #include "accuracy/chart.hpp"
 #include "accuracy/report.hpp"
 #include "cli/comparison.hpp"
+#include "cli/simulate.hpp"
 #include "cli/step_sizes.hpp"
 #include "cli/study_parts.hpp"
 #include "common/identifier.hpp"
@@ -49,11 +50,11 @@ bool has_placed_loop(const Subject& subject) {
                              [](const model::Constraint& c) { return c.loop && !c.loop->empty(); });
 }
 
-/// The scene's own initial state and others within `spread`, moved onto the constraints.
-std::vector<Start> band(const AccuracyRequest& request, const Subject& subject) {
+/// From the scene's own initial state and from others within `spread`, moved onto the constraints.
+void begin_in_band(const AccuracyRequest& request, Subject& subject) {
   const model::Scene& scene = subject.scene;
   const bool speeds_only = has_placed_loop(subject);
-  std::vector<Start> result;
+  std::vector<Start>& result = subject.starts;
   program::Random random(1);
   for (int k = 0; k < request.states; ++k) {
     model::Scene other = scene;
@@ -67,14 +68,14 @@ std::vector<Start> band(const AccuracyRequest& request, const Subject& subject) 
       std::ranges::for_each(other.qd0, move);
     }
     simulation::Simulator simulator(other, *subject.dynamics, {});
-    simulator.settle();
+    const double moved = simulator.settle();
+    subject.moved = k == 0 ? moved : subject.moved;
     result.push_back({simulator.q(), simulator.qd()});
     if (scene.constraints.empty()) {  // an initial state that float holds is no error of the step
       result.back().q = result.back().q.cast<float>().cast<double>();
       result.back().qd = result.back().qd.cast<float>().cast<double>();
     }
   }
-  return result;
 }
 
 /// \throws UsageError if no whole number of steps makes `time`
@@ -127,7 +128,7 @@ Subject subject_of(const AccuracyRequest& request) {
   subject.interval = Real(fmt::format("{:.3g}", interval));
   subject.times = static_cast<int>(std::floor(duration / interval * (1 + 1e-12)));
   try {
-    subject.starts = band(request, subject);
+    begin_in_band(request, subject);
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& problem) {
@@ -339,9 +340,12 @@ void plan(const AccuracyRequest& request, const StudyParts& parts,
 
 std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
                                               const AccuracyTrace& trace,
-                                              const AccuracyProgress& progress) {
+                                              const AccuracyProgress& progress, const Warn& warn) {
   const std::vector<const accuracy::Core*> sized = sized_cores(request);
   const Subject subject = subject_of(request);
+  if (const auto moved = warning_of_move(subject.moved); moved && !request.part) {
+    warn({{request.scene, 0, 0}, *moved});
+  }
   Study study = study_of(request, subject);
   const std::vector<double> steps =
       ladder(request, static_cast<double>(subject.interval), subject.times);

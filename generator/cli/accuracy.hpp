@@ -8,6 +8,7 @@
 
 #include "accuracy/study.hpp"
 #include "cli/accuracy_axes.hpp"
+#include "pipeline.hpp"
 
 namespace treedyn {
 
@@ -40,10 +41,11 @@ using AccuracyTrace = std::function<void(const std::string&)>;
 using AccuracyProgress = std::function<void(double)>;
 
 /// Runs every setting over the band, or what `request` wants of it; nothing if that is not all.
+/// \param warn  where the initial state was moved, not of one part
 /// \throws InputError for mistakes in the scene or no compiler, or for parts that are missing
 std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
                                               const AccuracyTrace& trace,
-                                              const AccuracyProgress& progress);
+                                              const AccuracyProgress& progress, const Warn& warn);
 
 /// Writes NAME_accuracy.csv, .json, .html and .svg, all or none; the text for standard output.
 std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study& study);

@@ -298,7 +298,7 @@ int run_simulate(const Settings& settings) {
 int run_accuracy(const Settings& settings) {
   Progress progress;
   const std::optional<accuracy::Study> found =
-      study_accuracy(settings.accuracy, trace_of(settings), std::ref(progress));
+      study_accuracy(settings.accuracy, trace_of(settings), std::ref(progress), warn_of(settings));
   progress.end();
   if (!found) {
     return 0;

@@ -49,6 +49,7 @@ struct Subject {
   model::Scene scene;
   std::string file;  ///< of the scene
   std::vector<Start> starts;
+  double moved = 0;  ///< how far the scene's own initial state was from the constraints
   std::shared_ptr<simulation::Dynamics> dynamics;  ///< of the scene
   Real interval = 0;                               ///< s between comparisons
   int times = 0;

@@ -61,6 +61,8 @@ SimulateResult simulate(const SimulateRequest& request, const simulation::Progre
 /// zero. \param file  of the scene
 std::optional<Warning> warning_of_start(const std::string& file, const model::Scene& scene);
 
+/// That an initial state was moved onto the constraints, if it was by more than rounding.
+std::optional<std::string> warning_of_move(double moved);
 /// What went wrong, a line each: the initial state that was moved, and what a step noticed.
 std::vector<std::string> warnings_of(const SimulateResult& result);
 /// What `-v` says: the cost, how well promises were kept, and the stable steps of all integrators.

@@ -143,11 +143,16 @@ std::string operations_text(const SimulateResult& result) {
 
 }  // namespace
 
+std::optional<std::string> warning_of_move(double moved) {
+  return moved > kMoved ? std::optional(fmt::format(
+                              "the initial state was moved by {:.2g} onto the constraints", moved))
+                        : std::nullopt;
+}
+
 std::vector<std::string> warnings_of(const SimulateResult& result) {
   std::vector<std::string> lines;
-  if (result.moved > kMoved) {
-    lines.push_back(
-        fmt::format("the initial state was moved by {:.2g} onto the constraints", result.moved));
+  if (std::optional<std::string> line = warning_of_move(result.moved)) {
+    lines.push_back(*std::move(line));
   }
   for (const simulation::Notice& notice : result.recording.notices) {
     lines.push_back(simulation::to_string(notice));

@@ -182,9 +182,11 @@ Expression Reader::used(const model::EquationText& other, Reading& reading) {
     throw std::runtime_error(fmt::format("equation '{}' uses itself", shown(other.name)));
   }
   if (open_.size() > kMostNestedUses || ++uses_ > kMostUses) {
-    throw std::runtime_error(
-        fmt::format("equations use each other too deeply; expected at most {} levels and {} uses",
-                    kMostNestedUses, kMostUses));
+    const model::EquationText& read = *open_.front();
+    throw InputError(read.where,
+                     fmt::format("equation '{}' uses others too deeply or too often; expected at "
+                                 "most {} levels and {} uses, those of others counted each time",
+                                 shown(read.name), kMostNestedUses, kMostUses));
   }
   for (const model::InputText& input : other.inputs) {
     reading.add_used_input(input);
