@@ -142,7 +142,8 @@ struct Rod {
 
 /// The rod's foot, which x and z hold, begins at rest; a speed of the joint alone leads it away.
 TEST_F(AccuracyErrors, SayThatTheInitialStateWasMoved) {
-  const std::vector<std::string> options = {"--integrators", "rk4", "--steps", "0.02"};
+  const std::vector<std::string> options = {"--integrators", "rk4", "--steps", "0.02",
+                                            "--states",      "1",   "--on",    "host"};
   const auto run = [&](const std::string& scene) {
     std::vector<std::string> words = {"accuracy", scene};
     words.insert(words.end(), options.begin(), options.end());

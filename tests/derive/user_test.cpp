@@ -290,8 +290,8 @@ TEST(Equations, KeepTheMeaningOfTheirNamesWhereOthersUseThem) {
         text_of(names.back().c_str(),
                 ("e" + std::to_string(k - 1) + " + e" + std::to_string(k - 1)).c_str()));
   }
-  EXPECT_EQ(message(doubled).substr(0, 54),  // the first that is too large when read alone
-            "equation 'e10': uses others too deeply or too often; e");
+  EXPECT_EQ(message(doubled).substr(0, 53),  // the first that is too large when read alone
+            "equation 'e10' uses others too deeply or too often; e");
 }
 
 struct Refusal {
