@@ -3,44 +3,15 @@
 #include <algorithm>
 
 #include "common/index.hpp"
+#include "formulate/placed_frames.hpp"
 #include "formulate/regrouping.hpp"
 
 namespace treedyn::formulate {
 
 namespace {
 
-/// Squared sine of the angle between axes that count as parallel for the choice of origins: the
-/// feet of their common normal are far away (1e12 m for the 1e-12 rad of a rounded right angle),
-/// and inertias about them would cancel. Any slide is exact, so only the cost depends on this.
-const Real kNearlyParallel("1e-6");
-
 /// Of trees with frames that are kept.
 constexpr std::size_t kMostLinksKept = 512;
-
-/// The tree while frames are being chosen. Every operation changes the description, not the robot.
-class Workbench {
- public:
-  Workbench(NormalTree tree, const Variant& variant) : variant_(variant), tree_(std::move(tree)) {}
-  NormalTree run(const std::vector<LimbLinks>& limbs);
-
- private:
-  [[nodiscard]] std::size_t size() const { return tree_.links.size(); }
-  NormalLink& link(int i) { return tree_.links[to_index(i)]; }
-  [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[to_index(i)]; }
-
-  void turn_half(int i);
-  void slide(int i, const Real& distance);
-  void turn(int i, const Turn& turn);
-  void align(const LimbLinks& limbs);
-  void align(int i, const NormalLink& first);
-
-  [[nodiscard]] std::optional<Real> slide_distance(int i);
-  [[nodiscard]] Turn frame_turn(int i);
-  [[nodiscard]] Turn turn_to_son(int i);
-
-  const Variant& variant_;
-  NormalTree tree_;
-};
 
 /// A rotation whose third column is `axis`; a relabelling of axes if `axis` is one of them.
 Matrix3 frame_with_z(const Vector3& axis) {
@@ -100,132 +71,6 @@ NormalTree at_joints(const model::Tree& tree, const Vector3& gravity) {
   return result;
 }
 
-/// Rotates the frame of link i by `t` about its own axis.
-void Workbench::turn(int i, const Turn& t) {
-  if (t.is_identity()) {
-    return;
-  }
-  NormalLink& l = link(i);
-  const Matrix3 q = about_z(t);
-  l.rotation = clean(multiply(l.rotation, q));
-  l.moment = multiply_transposed(q, l.moment);
-  l.pseudo = congruence(transpose(q), l.pseudo);
-  l.to_normal = clean(multiply(transpose(q), l.to_normal));
-  for (const int son : l.sons) {
-    link(son).rotation = clean(multiply(transpose(q), link(son).rotation));
-    link(son).offset = multiply_transposed(q, link(son).offset);
-  }
-}
-
-/// Turns the frame of link i by pi about x: its axis then points the other way.
-void Workbench::turn_half(int i) {
-  NormalLink& l = link(i);
-  const Matrix3 q = {1, 0, 0, 0, -1, 0, 0, 0, -1};
-  l.rotation = clean(multiply(l.rotation, q));
-  l.moment = multiply(q, l.moment);
-  l.pseudo = congruence(q, l.pseudo);
-  l.to_normal = clean(multiply(q, l.to_normal));
-  l.sign = -l.sign;
-  for (const int son : l.sons) {
-    link(son).rotation = clean(multiply(q, link(son).rotation));
-    link(son).offset = multiply(q, link(son).offset);
-  }
-}
-
-/// Moves the origin of revolute link i by `distance` along its axis.
-void Workbench::slide(int i, const Real& distance) {
-  if (distance == 0) {
-    return;
-  }
-  NormalLink& l = link(i);
-  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
-  l.offset = l.offset + distance * z;
-  const Vector3 r = {0, 0, -distance};  // the old origin seen from the new one
-  l.origin = l.origin + multiply_transposed(l.to_normal, Vector3{0, 0, distance});
-  l.pseudo = l.pseudo + outer(r, l.moment) + outer(l.moment, r) + l.mass * outer(r, r);
-  l.moment = l.moment + l.mass * r;
-  for (const int son : l.sons) {
-    link(son).offset = link(son).offset + r;
-  }
-}
-
-bool is_nearly_parallel(const Real& sine2) {
-  return sine2 < kNearlyParallel || sine2.plain() < kNearlyParallel;
-}
-
-/// Distance along z_i to the foot of the common normal with the father's axis.
-Real foot_to_father(const NormalLink& l) {
-  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
-  const Real sine2 = z[0] * z[0] + z[1] * z[1];
-  if (is_nearly_parallel(sine2)) {
-    return -l.offset[2] / z[2];
-  }
-  return -(l.offset[0] * z[0] + l.offset[1] * z[1]) / sine2;
-}
-
-/// Distance along the father's z axis to the foot of the common normal with the axis of its son
-/// `l`.
-Real foot_on_father(const NormalLink& l) {
-  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
-  const Real sine2 = z[0] * z[0] + z[1] * z[1];
-  return is_nearly_parallel(sine2) ? l.offset[2] : l.offset[2] + foot_to_father(l) * z[2];
-}
-
-std::optional<Real> Workbench::slide_distance(int i) {
-  const NormalLink& l = link(i);
-  const bool root = l.father == model::kGround;
-  Slide slide = choice(i).slide;
-  if (slide == Slide::kAuto) {
-    const bool massless_inside = l.mass == 0 && !l.sons.empty();
-    slide = root ? Slide::kSon : massless_inside ? Slide::kNone : Slide::kFather;
-  }
-  if (slide == Slide::kFather && !root) {
-    return foot_to_father(l);
-  }
-  if (slide == Slide::kSon && !l.sons.empty()) {
-    return foot_on_father(link(l.sons.front()));
-  }
-  return std::nullopt;
-}
-
-/// x along the common normal with the first son's axis (parallel axes: towards its origin).
-Turn Workbench::turn_to_son(int i) {
-  const NormalLink& son = link(link(i).sons.front());
-  const EulerZxz euler = euler_zxz(son.rotation);
-  if (euler.alpha.s != 0) {
-    return euler.gamma;
-  }
-  const std::array<Real, 2> across = {son.offset[0], son.offset[1]};
-  return is_fixed(across) ? turn_to(across[0], across[1]) : Turn{};
-}
-
-Turn Workbench::frame_turn(int i) {
-  const NormalLink& l = link(i);
-  FrameAngle angle = choice(i).angle;
-  if (angle == FrameAngle::kAuto) {
-    if (!l.sons.empty()) {
-      return turn_to_son(i);
-    }
-    angle = FrameAngle::kFirstMoment;
-  }
-  const Matrix3& e = l.pseudo;
-  if (angle == FrameAngle::kFirstMoment ? !is_fixed(l.moment) : !is_fixed(e)) {
-    return {};  // what a turn makes zero would not stay so
-  }
-  switch (angle) {
-    case FrameAngle::kKeep:
-      return {};
-    case FrameAngle::kFirstMoment:
-      return turn_to(l.moment[0], l.moment[1]);
-    case FrameAngle::kProductXy: {
-      const Turn twice = turn_to(e[0] - e[4], 2 * e[1]);
-      return turn_by(angle_of(twice) / 2);
-    }
-    default:
-      return turn_to(e[2], e[5]);
-  }
-}
-
 void scale_lengths(NormalTree& tree, const Real& unit) {
   tree.unit = unit;
   tree.gravity = Real(1 / unit) * tree.gravity;
@@ -234,83 +79,6 @@ void scale_lengths(NormalTree& tree, const Real& unit) {
     l.moment = unit * l.moment;
     l.mass *= unit * unit;
   }
-}
-
-/// Constants of a link that are equal in the link of another limb; those of rotations count most.
-int equal_constants(const NormalLink& a, const NormalLink& b) {
-  constexpr int kRotationWeight = 100;
-  int count = 0;
-  const auto compare = [&](const auto& x, const auto& y, int weight) {
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      count += identical(x[k], y[k]) ? weight : 0;
-    }
-  };
-  compare(a.rotation, b.rotation, kRotationWeight);
-  compare(a.offset, b.offset, 1);
-  compare(a.moment, b.moment, 1);
-  compare(a.pseudo, b.pseudo, 1);
-  return count;
-}
-
-/// Of the four frames that half turns make of the frame of link i, the one most like `first`.
-void Workbench::align(int i, const NormalLink& first) {
-  const Turn half = {-1, 0};
-  const auto step = [&](int k) {
-    k % 2 == 0 ? turn(i, half) : turn_half(i);
-  };
-  int best = 0;
-  int most = equal_constants(link(i), first);
-  for (int k = 0; k < 4; ++k) {
-    step(k);
-    if (const int count = equal_constants(link(i), first); k < 3 && count > most) {
-      most = count;
-      best = k + 1;
-    }
-  }
-  for (int k = 0; k < best; ++k) {
-    step(k);
-  }
-}
-
-void Workbench::align(const LimbLinks& limbs) {
-  for (std::size_t limb = 1; limb < limbs.size(); ++limb) {
-    for (std::size_t p = 0; p < limbs[limb].size(); ++p) {  // fathers first
-      const int i = limbs[limb][p];
-      const NormalLink& first = link(limbs[0][p]);
-      align(i, first);
-      link(i).coordinate_sign = link(i).sign * first.sign;
-      link(i).sign = first.sign;
-    }
-  }
-}
-
-NormalTree Workbench::run(const std::vector<LimbLinks>& limbs) {
-  const int n = static_cast<int>(size());
-  for (int i = 0; i < n; ++i) {
-    if (link(i).father != model::kGround && link(i).rotation[8] == -1) {
-      turn_half(i);
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    if (link(i).revolute) {
-      if (const std::optional<Real> distance = slide_distance(i)) {
-        slide(i, *distance);
-      }
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    if (link(i).revolute) {
-      turn(i, with_right_angles(frame_turn(i)));  // any turn is exact
-    }
-  }
-  for (const LimbLinks& of_class : limbs) {
-    align(of_class);
-  }
-  clean_constants(tree_);
-  for (NormalLink& l : tree_.links) {
-    l.euler = euler_zxz(l.rotation);
-  }
-  return std::move(tree_);
 }
 
 }  // namespace
@@ -331,7 +99,8 @@ const NormalTree& NormalForms::placed(const Variant& variant) {
   if (placed_.size() * start_.links.size() > kMostLinksKept) {
     placed_.clear();
   }
-  return placed_.emplace(std::move(places), Workbench(start_, variant).run(limbs_)).first->second;
+  return placed_.emplace(std::move(places), with_placed_frames(start_, variant, limbs_))
+      .first->second;
 }
 
 NormalTree NormalForms::of(const Variant& variant) {

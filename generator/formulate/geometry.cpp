@@ -15,7 +15,7 @@ bool is_tiny(const Real& x) {
                     [](const Digits& value, const Digits&) { return abs(value) < kTiny.digits(); });
 }
 
-Real clean(const Real& x) {
+Real cleaned(const Real& x) {
   for (const int exact : {0, 1, -1}) {
     if (is_tiny(x - exact)) {
       return exact;
@@ -24,7 +24,7 @@ Real clean(const Real& x) {
   return x;
 }
 
-Turn clean(const Turn& turn) { return {clean(turn.c), clean(turn.s)}; }
+Turn cleaned(const Turn& turn) { return {cleaned(turn.c), cleaned(turn.s)}; }
 
 /// Zero where the numbers cancel but for rounding, which would be a constant of the code else.
 Real sum_or_zero(const Real& a, const Real& b) {
@@ -108,7 +108,7 @@ Vector3 plain(const Vector3& v) { return {v[0].plain(), v[1].plain(), v[2].plain
 
 Matrix3 clean(Matrix3 rotation) {
   for (Real& entry : rotation) {
-    entry = clean(entry);
+    entry = cleaned(entry);
   }
   return rotation;
 }
@@ -123,16 +123,16 @@ Turn turn_to(const Real& x, const Real& y) {
   const Turn turn = {part(x, 1), part(y, 0)};
   note_result(RecipeKind::kDivide, x, length, turn.c);
   note_result(RecipeKind::kDivide, y, length, turn.s);
-  return clean(turn);
+  return cleaned(turn);
 }
 
-Turn turn_by(const Real& angle) { return clean(Turn{cos(angle), sin(angle)}); }
+Turn turn_by(const Real& angle) { return cleaned(Turn{cos(angle), sin(angle)}); }
 Turn with_right_angles(const Turn& turn) {
-  const Turn seen = clean(Turn{turn.c.seen(), turn.s.seen()});
+  const Turn seen = cleaned(Turn{turn.c.seen(), turn.s.seen()});
   return seen.is_quarter() ? seen : turn;
 }
 Turn operator*(const Turn& a, const Turn& b) {
-  return clean(Turn{a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s});
+  return cleaned(Turn{a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s});
 }
 Real angle_of(const Turn& turn) { return atan2(turn.s, turn.c); }
 Matrix3 about_z(const Turn& turn) { return {turn.c, -turn.s, 0, turn.s, turn.c, 0, 0, 0, 1}; }

@@ -8,6 +8,7 @@
 #include "formulate/functions.hpp"
 #include "optimise/optimise.hpp"
 #include "program/interpret.hpp"
+#include "support/process.hpp"
 
 namespace treedyn::formulate {
 namespace {
@@ -190,6 +191,27 @@ TEST_P(Variants, AreFoundAgainByTheSameSearch) {
   const program::Function second = formulated(tree, "inverse_dynamics", options);
   EXPECT_EQ(first.outputs, second.outputs);
   EXPECT_EQ(first.graph.size(), second.graph.size());
+}
+
+/// The frame of their father is turned towards the same of two siblings, whichever comes first.
+TEST(Siblings, CostTheSameInEveryOrder) {
+  const std::string text = support::read_file(TREEDYN_SOURCE_DIR "/tests/formulate/siblings.yaml");
+  const std::size_t from = text.find("  - {name: l3");
+  const std::size_t to = text.find("  - {name: l5");
+  const support::TemporaryFolder folder;
+  const std::string other = (folder.path() / "other.yaml").string();
+  support::write_file(other, text.substr(0, from) + text.substr(to) + text.substr(from, to - from));
+  const model::Tree first =
+      description::read_model(TREEDYN_SOURCE_DIR "/tests/formulate/siblings.yaml", {});
+  const model::Tree second = description::read_model(other, {});
+  ASSERT_NE(first.links[3].name, second.links[3].name);
+  const Options options = some_options(first);
+  for (const char* const name : {"mass_matrix", "bias_force", "inverse_dynamics"}) {
+    const auto operations = [&](const model::Tree& tree) {
+      return program::cost(build(tree, recipe_of(name), options, plain_variant(tree))).total();
+    };
+    EXPECT_EQ(operations(first), operations(second)) << name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Variants,
