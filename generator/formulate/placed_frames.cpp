@@ -17,6 +17,8 @@ namespace {
 /// feet of their common normal are far away (1e12 m for the 1e-12 rad of a rounded right angle),
 /// and inertias about them would cancel. Any slide is exact, so only the cost depends on this.
 const Real kNearlyParallel("1e-6");
+/// Of links with more sons only so many are asked where the frame should be turned to.
+constexpr std::size_t kMostSonsAsked = 8;
 
 /// The tree while frames are being chosen. Every operation changes the description, not the robot.
 class Workbench {
@@ -38,8 +40,7 @@ class Workbench {
   [[nodiscard]] Real foot_of_most_sons(int i);
   [[nodiscard]] std::optional<Real> slide_distance(int i);
   [[nodiscard]] Turn frame_turn(int i);
-  [[nodiscard]] Turn turn_to(const NormalLink& son);
-  [[nodiscard]] int plain_constants(int i, const Turn& turn);
+  [[nodiscard]] int plain_constants(int i, const Turn& turn, const std::vector<EulerZxz>& angles);
   [[nodiscard]] Turn turn_to_son(int i);
 
   const Variant& variant_;
@@ -146,44 +147,44 @@ std::optional<Real> Workbench::slide_distance(int i) {
 }
 
 /// x along the common normal with a son's axis (parallel axes: towards its origin).
-Turn Workbench::turn_to(const NormalLink& son) {
-  const EulerZxz euler = euler_zxz(son.rotation);
+Turn turn_towards(const NormalLink& son, const EulerZxz& euler) {
   if (euler.alpha.s != 0) {
     return euler.gamma;
   }
   const std::array<Real, 2> across = {son.offset[0], son.offset[1]};
-  return is_fixed(across) ? formulate::turn_to(across[0], across[1]) : Turn{};
+  return is_fixed(across) ? turn_to(across[0], across[1]) : Turn{};
 }
 
-/// What a turn of the frame of link i makes zero or a right angle, in what its sons need most.
-int Workbench::plain_constants(int i, const Turn& t) {
+int zeros_across(const Vector3& v) {
+  return static_cast<int>(identical(v[0], 0)) + static_cast<int>(identical(v[1], 0));
+}
+
+/// What a turn of the frame of link i makes zero or a right angle.
+/// \param angles  of its sons
+int Workbench::plain_constants(int i, const Turn& t, const std::vector<EulerZxz>& angles) {
   constexpr int kTurnWeight = 4;
   const Matrix3 q = about_z(t);
-  const auto zeros = [](const Vector3& v) {
-    return static_cast<int>(identical(v[0], 0)) + static_cast<int>(identical(v[1], 0));
-  };
-  int count = zeros(multiply_transposed(q, link(i).moment));
-  for (const int son : link(i).sons) {
-    const Matrix3 rotation = clean(multiply(transpose(q), link(son).rotation));
-    count += zeros(multiply_transposed(q, link(son).offset));
-    count += euler_zxz(rotation).gamma.is_quarter() ? kTurnWeight : 0;
+  int count = zeros_across(multiply_transposed(q, link(i).moment));
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    count += zeros_across(multiply_transposed(q, link(link(i).sons[k]).offset));
+    count += (t.inverse() * angles[k].gamma).is_quarter() ? kTurnWeight : 0;
   }
   return count;
 }
 
-/// Towards the son whose turn leaves the plainest constants, the first one among equals.
+/// Towards the son whose turn leaves the plainest constants, the first one among equals. O(sons)
 Turn Workbench::turn_to_son(int i) {
   const std::vector<int>& sons = link(i).sons;
-  Turn best = turn_to(link(sons.front()));
-  int most = sons.size() > 1 ? plain_constants(i, best) : 0;
-  for (std::size_t k = 1; k < sons.size(); ++k) {
-    const Turn other = turn_to(link(sons[k]));
-    if (const int count = plain_constants(i, other); count > most) {
-      most = count;
-      best = other;
-    }
+  const std::vector<EulerZxz> angles =
+      transformed<EulerZxz>(sons, [this](int son) { return euler_zxz(link(son).rotation); });
+  const std::size_t asked = std::min(sons.size(), kMostSonsAsked);
+  std::vector<Turn> turns;
+  std::vector<int> counts;
+  for (std::size_t k = 0; k < asked; ++k) {
+    turns.push_back(turn_towards(link(sons[k]), angles[k]));
+    counts.push_back(asked > 1 ? plain_constants(i, turns.back(), angles) : 0);
   }
-  return best;
+  return turns[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
 }
 
 Turn Workbench::frame_turn(int i) {
@@ -203,13 +204,13 @@ Turn Workbench::frame_turn(int i) {
     case FrameAngle::kKeep:
       return {};
     case FrameAngle::kFirstMoment:
-      return formulate::turn_to(l.moment[0], l.moment[1]);
+      return turn_to(l.moment[0], l.moment[1]);
     case FrameAngle::kProductXy: {
-      const Turn twice = formulate::turn_to(e[0] - e[4], 2 * e[1]);
+      const Turn twice = turn_to(e[0] - e[4], 2 * e[1]);
       return turn_by(angle_of(twice) / 2);
     }
     default:
-      return formulate::turn_to(e[2], e[5]);
+      return turn_to(e[2], e[5]);
   }
 }
 
