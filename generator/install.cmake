@@ -1,5 +1,5 @@
-# cmake --install: the program, the templates, the CMake package, manual page, completion, equations, interface and the licence; `cpack` packs
-# the same as a Debian package.
+# cmake --install: the program, the templates, the CMake package, manual page, completion, equations, interface and the licence; `cpack`,
+# with dpkg-dev, packs the same as a Debian package.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -31,12 +31,20 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/ DESTINATION ${CMAKE_INSTALL_D
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/equations/EQUATIONS.md
               ${CMAKE_CURRENT_SOURCE_DIR}/cli/INTERFACE.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-if(PROJECT_IS_TOP_LEVEL)
-  set(CPACK_GENERATOR DEB)
-  set(CPACK_PACKAGE_CONTACT "treedyn maintainers")
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # with dpkg-dev: versions of the libraries
-  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-  set(CPACK_DEBIAN_PACKAGE_SECTION science)
-  set(CPACK_STRIP_FILES ON)
-  include(CPack)
-endif()
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "treedyn maintainers")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # versions of the libraries
+# Without dpkg-dev CPack would make a package that depends on nothing.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/before_cpack.cmake [[
+  find_program(shlibdeps dpkg-shlibdeps)
+  if(NOT shlibdeps)
+    message(FATAL_ERROR "cpack: there is no dpkg-shlibdeps, which finds what the program needs; expected the package dpkg-dev")
+  endif()
+]])
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_BINARY_DIR}/before_cpack.cmake)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+                                                WORLD_READ WORLD_EXECUTE)  # whatever the umask is
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_STRIP_FILES ON)
+include(CPack)

@@ -342,6 +342,9 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
                                               const AccuracyTrace& trace,
                                               const AccuracyProgress& progress, const Warn& warn) {
   const std::vector<const accuracy::Core*> sized = sized_cores(request);
+  if (!request.output.empty()) {
+    check_folder(request.output);  // before hours of computing
+  }
   const Subject subject = subject_of(request);
   if (const auto moved = warning_of_move(subject.moved); moved && !request.part) {
     warn({{request.scene, 0, 0}, *moved});

@@ -181,7 +181,7 @@ int run_generate(const Settings& settings) {
   if (!settings.stamp.empty()) {
     outputs.push_back({settings.stamp, "", true});
   }
-  const int changed = write_files(outputs, Links::kFollowed);
+  const int changed = write_files(outputs);
   trace_of(settings)(fmt::format("{} of {} files written", changed, outputs.size()));
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   trace_of(settings)(fmt::format("in all: {:.1f} s", time.count()));
@@ -270,7 +270,9 @@ int run_list(const Settings& settings) {
 }
 
 int run_simulate(const Settings& settings) {
-  std::signal(SIGINT, [](int) { interrupted = true; });  // what was computed is written
+  if (std::signal(SIGINT, [](int) { interrupted = true; }) == SIG_IGN) {  // as a script's `&` does
+    std::signal(SIGINT, SIG_IGN);  // else what was computed is written
+  }
   Progress progress;
   SimulateRequest request = settings.simulation;
   request.timed = settings.verbose;

@@ -190,6 +190,9 @@ SimulateResult simulate(const SimulateRequest& request, const simulation::Progre
   SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, {}, {}, {}, {}};
   apply(request, result.scene);
   check(request, result.scene);
+  if (!request.output.empty()) {
+    check_folder(request.output);  // before hours of computing
+  }
   const std::unique_ptr<GeneratedStep> step = generated_step(request, result);
   const std::unique_ptr<simulation::Dynamics> dynamics = dynamics_of(request, result.scene);
   result.operations = dynamics->operations();

@@ -283,7 +283,8 @@ void StudyParts::keep(std::size_t number, const Outcome& outcome) const {
 void remove_parts(const std::string& folder) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == kEnding) {
+    if (entry.path().extension() == kEnding &&
+        names_a_study(read_file(entry.path().string()).value_or(""))) {
       std::filesystem::remove(entry.path(), ignored);
     }
   }

@@ -74,7 +74,7 @@ class GeneratedStep::Library {
         repeated_(find<RepeatedSoOften>("treedyn_repeated")),
         repeat_(find<Repeat>("treedyn_repeat")) {
     if (step_ == nullptr || events_ == nullptr || repeated_ == nullptr || repeat_ == nullptr) {
-      throw InputError({}, "--as-generated: the compiled step cannot be loaded");
+      throw InputError({}, "the generated step, compiled, cannot be loaded");
     }
   }
   Library(const Library&) = delete;
@@ -110,8 +110,8 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
   };
   std::vector<std::string> command = find_compiler(path("version"));
   if (command.empty()) {
-    throw InputError({},
-                     "--as-generated: no C++ compiler found; expected $CXX, c++, g++ or clang++");
+    throw InputError(
+        {}, "the generated step: no C++ compiler found; expected $CXX, c++, g++ or clang++");
   }
   std::vector<OutputFile> sources = {
       {path("adapter.cpp"), adapter(name, stepper_.signature, repeated_.size())}};
@@ -122,8 +122,7 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
   command.insert(command.end(), {"-std=c++11", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
                                  path("adapter.cpp"), path(name + ".cpp"), "-o", path("step.so")});
   if (!succeeds(command, path("log"))) {
-    throw InputError(
-        {}, "--as-generated: the generated step does not compile; expected a C++11 compiler");
+    throw InputError({}, "the generated step does not compile; expected a C++11 compiler");
   }
   library_ = std::make_unique<Library>(path("step.so"));
   for (const program::Array& array : stepper_.signature.arrays()) {

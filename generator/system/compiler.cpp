@@ -24,9 +24,12 @@ namespace {
 /// An absolute path: one that begins with '-' would be an option to a compiler.
 std::string temporary_path() {
   std::error_code problem;
+  const char* const chosen = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe): one thread
+  if (chosen != nullptr && *chosen == '\0') {
+    ::unsetenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe): one thread
+  }
   const fs::path folder = fs::temp_directory_path(problem);
   if (problem) {
-    const char* const chosen = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe): one thread
     throw InputError({}, fmt::format("TMPDIR: '{}' is no folder; expected one for temporary files",
                                      shown(chosen == nullptr ? "/tmp" : chosen)));
   }

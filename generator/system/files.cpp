@@ -71,8 +71,7 @@ std::string end_of_links(const std::string& path) {
 /// copy removed, unless `keep` is called.
 class Temporary {
  public:
-  Temporary(const OutputFile& file, Links links)
-      : target_(links == Links::kFollowed ? end_of_links(file.path) : file.path) {
+  explicit Temporary(const OutputFile& file) : target_(end_of_links(file.path)) {
     const fs::path folder = fs::path(target_).parent_path();
     path_ =
         (folder / (".treedyn-" + fs::path(target_).filename().string().substr(0, 200) + "-XXXXXX"))
@@ -93,7 +92,7 @@ class Temporary {
       : target_(std::move(other.target_)),
         path_(std::exchange(other.path_, {})),
         old_(std::exchange(other.old_, {})),
-        is_new_(std::exchange(other.is_new_, false)) {}
+        is_replaced_(std::exchange(other.is_replaced_, false)) {}
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
   Temporary& operator=(Temporary&&) = delete;
@@ -101,11 +100,12 @@ class Temporary {
     if (!path_.empty()) {
       ::unlink(path_.c_str());
     }
-    if (is_new_) {
+    if (is_replaced_ && old_.empty()) {
       ::unlink(target_.c_str());
-    }
-    if (!old_.empty() && ::rename(old_.c_str(), target_.c_str()) == 0) {
-      ::unlink(old_.c_str());  // two links to one file are both still there
+    } else if (is_replaced_) {
+      ::rename(old_.c_str(), target_.c_str());
+    } else if (!old_.empty()) {
+      ::unlink(old_.c_str());
     }
   }
 
@@ -115,24 +115,30 @@ class Temporary {
       fail(target_, "cannot write", errno);
     }
     path_.clear();
-    is_new_ = old_.empty();
+    is_replaced_ = true;
   }
   void keep() {
     if (!old_.empty()) {
       ::unlink(old_.c_str());
     }
     old_.clear();
-    is_new_ = false;
+    is_replaced_ = false;
   }
 
  private:
   /// Keeps what stands in the file's place, if anything does, by another link or, where there are
-  /// none, by a copy.
+  /// none, by a copy. A link to a file of others might stay in a folder where only they may remove
+  /// it.
   void set_aside() {
     const std::string old = path_ + "~";
-    if (::link(target_.c_str(), old.c_str()) == 0) {
+    struct stat status {};
+    if (::stat(target_.c_str(), &status) != 0 && errno == ENOENT) {
+      return;
+    }
+    const bool is_ours = ::geteuid() == 0 || status.st_uid == ::geteuid();
+    if (is_ours && ::link(target_.c_str(), old.c_str()) == 0) {
       old_ = old;
-    } else if (errno != ENOENT) {
+    } else {
       std::error_code ignored;
       if (fs::is_directory(target_, ignored)) {
         fail(target_, "cannot write", EISDIR);
@@ -146,10 +152,19 @@ class Temporary {
     }
   }
 
-  static int write_all(int descriptor, std::string_view text) {
+  /// Permissions of the file that stands in the place, else those of a new one.
+  [[nodiscard]] mode_t mode() const {
+    struct stat status {};
+    if (::stat(target_.c_str(), &status) == 0) {
+      return status.st_mode & 0777;
+    }
     const mode_t mask = ::umask(0);
     ::umask(mask);
-    if (::fchmod(descriptor, 0666 & ~mask) != 0) {
+    return 0666 & ~mask;
+  }
+
+  [[nodiscard]] int write_all(int descriptor, std::string_view text) const {
+    if (::fchmod(descriptor, mode()) != 0 && errno != EPERM) {  // some mounts have none
       return errno;
     }
     while (!text.empty()) {
@@ -163,9 +178,9 @@ class Temporary {
   }
 
   std::string target_;
-  std::string path_;     ///< of the copy; empty: it is in place
-  std::string old_;      ///< of what stood there; empty: nothing, or it is there
-  bool is_new_ = false;  ///< the copy is in a place where nothing stood
+  std::string path_;          ///< of the copy; empty: it is in place
+  std::string old_;           ///< of what stood there; empty: nothing
+  bool is_replaced_ = false;  ///< the copy stands there
 };
 
 }  // namespace
@@ -185,6 +200,13 @@ std::optional<std::string> read_file(const std::string& path) {
 }
 
 namespace {
+
+/// That a file which will change may be written: one that may not could still be replaced.
+void check_permission(const std::string& path) {
+  if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 && errno != ENOENT) {
+    fail(path, "cannot write", errno);
+  }
+}
 
 /// Only what is a file, or nothing yet, can be written as a whole.
 void check_target(const std::string& path) {
@@ -207,7 +229,21 @@ void check_target(const std::string& path) {
 
 }  // namespace
 
-int write_files(const std::vector<OutputFile>& files, Links links) {
+void check_folder(const std::string& folder) {
+  std::error_code ignored;
+  fs::path there = fs::absolute(folder, ignored);
+  while (there.has_relative_path() && !fs::exists(fs::symlink_status(there, ignored))) {
+    there = there.parent_path();
+  }
+  if (!fs::is_directory(there, ignored)) {
+    fail(there.string(), "cannot write", ENOTDIR);
+  }
+  if (::faccessat(AT_FDCWD, there.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    fail(there.string(), "cannot write", errno);
+  }
+}
+
+int write_files(const std::vector<OutputFile>& files) {
   const HeldSignals signals;
   for (const OutputFile& file : files) {
     check_target(file.path);
@@ -219,8 +255,9 @@ int write_files(const std::vector<OutputFile>& files, Links links) {
     if (!file.always && read_file(file.path) == file.text) {
       continue;
     }
+    check_permission(file.path);
     folders.make(fs::path(file.path).parent_path());
-    temporaries.emplace_back(file, links);
+    temporaries.emplace_back(file);
   }
   for (Temporary& temporary : temporaries) {
     temporary.put_in_place();

@@ -16,17 +16,17 @@ struct OutputFile {
 /// The bytes of a file; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 
-/// What becomes of a symbolic link to a file in the place of one: the new file, or it stays and
-/// where it leads is written.
-enum class Links { kReplaced, kFollowed };
+/// That files can be written to a folder, which may be missing yet. \throws InputError naming a
+/// path
+void check_folder(const std::string& folder);
 
 /// Writes all files or none: temporary files beside the targets first, each flushed to the disk and
 /// checked, then renamed; where one cannot be, those before it get back what they were. A file
 /// whose content would not change is not touched unless it asks for that; missing folders are made.
-/// Signals wait meanwhile. What stands in the place of a file has to be one: no folder, no
-/// device.
+/// Signals wait meanwhile. What stands in the place of a file has to be one, no folder, no device,
+/// and writable; its permissions stay, and a symbolic link to a file stays one.
 /// \returns the number of files that changed. \throws InputError naming the path; nothing is left
 /// behind then.
-int write_files(const std::vector<OutputFile>& files, Links links = Links::kReplaced);
+int write_files(const std::vector<OutputFile>& files);
 
 }  // namespace treedyn

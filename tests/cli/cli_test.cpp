@@ -2,6 +2,7 @@
 #include "cli/cli.hpp"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -45,6 +46,32 @@ TEST_F(Cli, DoesNotTouchFilesThatWouldNotChange) {
 }
 
 /// mass_matrix of the arm: 2 mul, 2 add and a pair of 78 cycles.
+TEST_F(Cli, KeepsThePermissionsOfFiles) {
+  treedyn({"generate", kModel, "-o", out()});
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(file("two_link.cpp"), own);
+  EXPECT_EQ(treedyn({"generate", kModel, "--scalar", "float", "-o", out()}).status, 0);
+  EXPECT_THAT(read_file(file("two_link.cpp")), HasSubstr("float"));
+  EXPECT_EQ(fs::status(file("two_link.cpp")).permissions(), own);
+}
+
+/// Another file could be put in its place. Root may write everything, unless that is taken away.
+TEST_F(Cli, ReplacesNoFileThatMayNotBeWritten) {
+  treedyn({"generate", kModel, "-o", out()});
+  fs::permissions(file("two_link.json"), fs::perms::owner_read);
+  const std::string before = read_file(file("two_link.cpp"));
+  std::vector<std::string> words = {
+      TREEDYN_EXECUTABLE, "generate", kModel, "--scalar", "float", "-o", out()};
+  if (::geteuid() == 0) {
+    words.insert(words.begin(), {"setpriv", "--bounding-set=-dac_override"});
+  }
+  const Outcome outcome = support::run(words);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, file("two_link.json").string() + ": cannot write: Permission denied\n");
+  EXPECT_EQ(read_file(file("two_link.cpp")), before);
+  EXPECT_EQ(files(), 3U);
+}
+
 TEST_F(Cli, SaysHowToCompileForAProcessorAndWhatACallCosts) {
   const auto generated = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"generate", kModel, "--scalar", "float", "--self-test", "--effort",

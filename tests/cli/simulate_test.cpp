@@ -445,24 +445,35 @@ TEST_F(Simulate, LandsWithoutAWordWhereAnImpactTakesAllSpeed) {
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST_F(Simulate, LeavesAValidFileWhenItIsInterrupted) {
-  const std::string scene_file = scene("biped_stepping");
-  const std::string folder = out();
+/// Exit code of a simulation that gets SIGINT, which is ignored or not where it starts.
+int interrupted(const std::string& name, const std::string& duration, const std::string& folder,
+                std::chrono::milliseconds after, void (*at_start)(int)) {
+  const std::string scene_file = scene(name);
   const pid_t child = ::fork();
   if (child == 0) {
+    std::signal(SIGINT, at_start);
     ::execl(TREEDYN_EXECUTABLE, TREEDYN_EXECUTABLE, "simulate", scene_file.c_str(), "--duration",
-            "1000", "--json", "-q", "-o", folder.c_str(), nullptr);
+            duration.c_str(), "--json", "-q", "-o", folder.c_str(), nullptr);
     ::_exit(127);
   }
-  std::this_thread::sleep_for(std::chrono::seconds(3));
+  std::this_thread::sleep_for(after);
   ::kill(child, SIGINT);
   int status = 0;
   ::waitpid(child, &status, 0);
   EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1);
+  return WEXITSTATUS(status);
+}
+
+TEST_F(Simulate, LeavesAValidFileWhenItIsInterrupted) {
+  EXPECT_EQ(interrupted("biped_stepping", "1000", out(), std::chrono::seconds(3), SIG_DFL), 1);
   const json data = json::parse(read_file(file("biped_stepping.json")));
   EXPECT_EQ(data["stopped"], "interrupted");
   EXPECT_EQ(table(read_file(file("biped_stepping.csv"))).size(), data["rows"].size() + 1);
+}
+
+/// As a script's command with `&` has it.
+TEST_F(Simulate, GoesOnWhereInterruptsAreIgnored) {
+  EXPECT_EQ(interrupted("compass_walk", "5", out(), std::chrono::milliseconds(100), SIG_IGN), 0);
 }
 
 TEST_F(Simulate, QuotesHostileNames) {
