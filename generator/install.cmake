@@ -34,16 +34,16 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/equation
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "treedyn maintainers")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # versions of the libraries
-# Without dpkg-dev CPack would make a package that depends on nothing.
+# Without dpkg-dev CPack would make a package that depends on nothing; folders that it makes are as closed as the umask says.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/before_cpack.cmake [[
   find_program(shlibdeps dpkg-shlibdeps)
   if(NOT shlibdeps)
     message(FATAL_ERROR "cpack: there is no dpkg-shlibdeps, which finds what the program needs; expected the package dpkg-dev")
   endif()
+  file(CHMOD_RECURSE ${CPACK_TEMPORARY_INSTALL_DIRECTORY} DIRECTORY_PERMISSIONS
+       OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 ]])
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_BINARY_DIR}/before_cpack.cmake)
-set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
-                                                WORLD_READ WORLD_EXECUTE)  # whatever the umask is
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_STRIP_FILES ON)
