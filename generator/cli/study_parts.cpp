@@ -210,7 +210,14 @@ std::string StudyParts::path(const std::string& part) const {
 }
 
 std::optional<std::string> StudyParts::read(const std::string& part) const {
-  const std::optional<std::string> text = folder_.empty() ? std::nullopt : read_file(path(part));
+  if (folder_.empty()) {
+    return std::nullopt;
+  }
+  const std::optional<std::string> text = read_file(path(part));
+  std::error_code ignored;
+  if (!text && others_ == Others::kRefused && std::filesystem::exists(path(part), ignored)) {
+    throw InputError({path(part), 0, 0}, "cannot be read; expected a part of a study");
+  }
   if (!text) {
     return std::nullopt;
   }
