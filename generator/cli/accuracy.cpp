@@ -336,19 +336,34 @@ void plan(const AccuracyRequest& request, const StudyParts& parts,
   write_plan(request.plan, request.command, left);
 }
 
+/// The scene, once it is certain that its study can be written.
+Subject begun(const AccuracyRequest& request, const Warn& warn) {
+  if (!request.output.empty()) {
+    check_folder(request.output);  // before hours of computing
+  }
+  Subject subject = subject_of(request);
+  if (const auto moved = warning_of_move(subject.moved); moved && !request.part) {
+    warn({{request.scene, 0, 0}, *moved});
+  }
+  return subject;
+}
+
+/// \throws UsageError for the number of a setting that the study has not
+void require_setting(const AccuracyRequest& request,
+                     const std::vector<accuracy::Setting>& settings) {
+  if (request.part && (*request.part < 1 || *request.part > std::ssize(settings))) {
+    throw UsageError(fmt::format("--part {}: the study has {} settings; expected 1 to {}",
+                                 *request.part, settings.size(), settings.size()));
+  }
+}
+
 }  // namespace
 
 std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
                                               const AccuracyTrace& trace,
                                               const AccuracyProgress& progress, const Warn& warn) {
   const std::vector<const accuracy::Core*> sized = sized_cores(request);
-  if (!request.output.empty()) {
-    check_folder(request.output);  // before hours of computing
-  }
-  const Subject subject = subject_of(request);
-  if (const auto moved = warning_of_move(subject.moved); moved && !request.part) {
-    warn({{request.scene, 0, 0}, *moved});
-  }
+  const Subject subject = begun(request, warn);
   Study study = study_of(request, subject);
   const std::vector<double> steps =
       ladder(request, static_cast<double>(subject.interval), subject.times);
@@ -365,10 +380,7 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
   const std::vector<accuracy::Variant> variants =
       variants_of(request.axes, subject, integrators.front(), writer);
   const std::vector<accuracy::Setting> settings = settings_of(integrators, variants, steps);
-  if (request.part && (*request.part < 1 || *request.part > std::ssize(settings))) {
-    throw UsageError(fmt::format("--part {}: the study has {} settings; expected 1 to {}",
-                                 *request.part, settings.size(), settings.size()));
-  }
+  require_setting(request, settings);
   const std::string own = request.parts.empty() ? own_parts(request, study) : "";
   const StudyParts parts(
       own.empty() ? request.parts : own,
