@@ -37,7 +37,8 @@ struct Core {
   /// Options of arm-none-eabi-g++; none: its code is not measured.
   std::vector<std::string_view> options = {};
   /// Has no latency to hide: g++'s pass in front of the allocation of registers only makes it spill
-  /// (on the M4F 16 and 3 % of the cycles of A and tau of the biped, forward dynamics gains 1 %).
+  /// (on the M4F with -O2 14 and 1 % of the cycles of A and tau of the biped, forward dynamics
+  /// gains 1 %).
   bool in_order = false;
 
   [[nodiscard]] bool has_flash() const { return !options.empty(); }
