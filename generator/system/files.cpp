@@ -255,8 +255,8 @@ int write_files(const std::vector<OutputFile>& files) {
     if (!file.always && read_file(file.path) == file.text) {
       continue;
     }
-    check_permission(file.path);
     folders.make(fs::path(file.path).parent_path());
+    check_permission(file.path);
     temporaries.emplace_back(file);
   }
   for (Temporary& temporary : temporaries) {
