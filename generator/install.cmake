@@ -37,7 +37,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # versions of the libraries
 # Without dpkg-dev CPack would make a package that depends on nothing; folders that it makes are as closed as the umask says.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/before_cpack.cmake [[
   find_program(shlibdeps dpkg-shlibdeps)
-  if(NOT shlibdeps)
+  if(CPACK_GENERATOR STREQUAL "DEB" AND NOT shlibdeps)
     message(FATAL_ERROR "cpack: there is no dpkg-shlibdeps, which finds what the program needs; expected the package dpkg-dev")
   endif()
   file(CHMOD_RECURSE ${CPACK_TEMPORARY_INSTALL_DIRECTORY} DIRECTORY_PERMISSIONS

@@ -336,7 +336,7 @@ void plan(const AccuracyRequest& request, const StudyParts& parts,
   write_plan(request.plan, request.command, left);
 }
 
-/// The scene, once it is certain that its study can be written.
+/// The scene, once it is known that the folder of its study may be written.
 Subject begun(const AccuracyRequest& request, const Warn& warn) {
   if (!request.output.empty()) {
     check_folder(request.output);  // before hours of computing

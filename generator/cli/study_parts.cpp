@@ -215,7 +215,9 @@ std::optional<std::string> StudyParts::read(const std::string& part) const {
   }
   const std::optional<std::string> text = read_file(path(part));
   std::error_code ignored;
-  if (!text && others_ == Others::kRefused && std::filesystem::exists(path(part), ignored)) {
+  if (!text && others_ == Others::kRefused &&
+      std::filesystem::status(path(part), ignored).type() !=
+          std::filesystem::file_type::not_found) {
     throw InputError({path(part), 0, 0}, "cannot be read; expected a part of a study");
   }
   if (!text) {

@@ -132,7 +132,7 @@ class Temporary {
   void set_aside() {
     const std::string old = path_ + "~";
     struct stat status {};
-    if (::stat(target_.c_str(), &status) != 0 && errno == ENOENT) {
+    if (::lstat(target_.c_str(), &status) != 0 && errno == ENOENT) {
       return;
     }
     const bool is_ours = ::geteuid() == 0 || status.st_uid == ::geteuid();
@@ -152,10 +152,12 @@ class Temporary {
     }
   }
 
-  /// Permissions of the file that stands in the place, else those of a new one.
-  [[nodiscard]] mode_t mode() const {
+  /// Permissions of the file that stands in the place if its owner and group can be kept, too, else
+  /// those of a new one.
+  [[nodiscard]] mode_t mode(int descriptor) const {
     struct stat status {};
-    if (::stat(target_.c_str(), &status) == 0) {
+    if (::stat(target_.c_str(), &status) == 0 &&
+        ::fchown(descriptor, status.st_uid, status.st_gid) == 0) {
       return status.st_mode & 0777;
     }
     const mode_t mask = ::umask(0);
@@ -164,7 +166,7 @@ class Temporary {
   }
 
   [[nodiscard]] int write_all(int descriptor, std::string_view text) const {
-    if (::fchmod(descriptor, mode()) != 0 && errno != EPERM) {  // some mounts have none
+    if (::fchmod(descriptor, mode(descriptor)) != 0 && errno != EPERM) {  // some mounts have none
       return errno;
     }
     while (!text.empty()) {

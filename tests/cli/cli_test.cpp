@@ -45,10 +45,9 @@ TEST_F(Cli, DoesNotTouchFilesThatWouldNotChange) {
   EXPECT_EQ(before.st_mtim.tv_nsec, after.st_mtim.tv_nsec);
 }
 
-/// mass_matrix of the arm: 2 mul, 2 add and a pair of 78 cycles.
 TEST_F(Cli, KeepsThePermissionsOfFiles) {
   treedyn({"generate", kModel, "-o", out()});
-  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read;
   fs::permissions(file("two_link.cpp"), own);
   EXPECT_EQ(treedyn({"generate", kModel, "--scalar", "float", "-o", out()}).status, 0);
   EXPECT_THAT(read_file(file("two_link.cpp")), HasSubstr("float"));
@@ -72,6 +71,7 @@ TEST_F(Cli, ReplacesNoFileThatMayNotBeWritten) {
   EXPECT_EQ(files(), 3U);
 }
 
+/// mass_matrix of the arm: 2 mul, 2 add and a pair of 78 cycles.
 TEST_F(Cli, SaysHowToCompileForAProcessorAndWhatACallCosts) {
   const auto generated = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"generate", kModel, "--scalar", "float", "--self-test", "--effort",

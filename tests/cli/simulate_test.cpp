@@ -473,7 +473,8 @@ TEST_F(Simulate, LeavesAValidFileWhenItIsInterrupted) {
 
 /// As a script's command with `&` has it.
 TEST_F(Simulate, GoesOnWhereInterruptsAreIgnored) {
-  EXPECT_EQ(interrupted("compass_walk", "5", out(), std::chrono::milliseconds(100), SIG_IGN), 0);
+  EXPECT_EQ(interrupted("biped_stepping", "0.5", out(), std::chrono::milliseconds(300), SIG_IGN),
+            0);
 }
 
 TEST_F(Simulate, QuotesHostileNames) {
