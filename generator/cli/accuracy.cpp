@@ -69,7 +69,9 @@ void begin_in_band(const AccuracyRequest& request, Subject& subject) {
     }
     simulation::Simulator simulator(other, *subject.dynamics, {});
     const double moved = simulator.settle();
-    subject.moved = k == 0 ? moved : subject.moved;
+    if (k == 0) {
+      subject.moved = moved;
+    }
     result.push_back({simulator.q(), simulator.qd()});
     if (scene.constraints.empty()) {  // an initial state that float holds is no error of the step
       result.back().q = result.back().q.cast<float>().cast<double>();
