@@ -284,6 +284,26 @@ TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
 }
 
+TEST_F(Cli, AnotherNameOfTheModelsFileIsNoOtherStructure) {
+  std::string model = read_file(kModel);
+  const std::size_t at = model.find("mass: ");
+  ASSERT_NE(at, std::string::npos);
+  write_file(scratch("calibrated.yaml"), model.insert(at + 6, "1.25 * "));
+  const std::vector<std::string> options = {"--name", "m", "-o", out(), "--effort", "0"};
+  std::vector<std::string> command = {"generate", kModel};
+  command.insert(command.end(), options.begin(), options.end());
+  ASSERT_EQ(treedyn(command).status, 0);
+  command[0] = "check";
+  command[1] = scratch("calibrated.yaml");
+  const Outcome outcome = treedyn(command);
+  EXPECT_EQ(outcome.status, 1);
+  for (const char* const name : {"m.hpp", "m.cpp", "m.json"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(file(name).string() + ": constants only, "));
+  }
+  command.insert(command.end(), {"--functions", "mass_matrix"});
+  EXPECT_THAT(treedyn(command).out, HasSubstr(file("m.cpp").string() + ": structure, "));
+}
+
 /// Declarations of 100 columns stand on one line, where they are looked for.
 TEST_F(Cli, ComparesFunctionsWhoseDeclarationsFillTheirLine) {
   std::string name = "tq";
