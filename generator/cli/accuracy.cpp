@@ -338,10 +338,13 @@ void plan(const AccuracyRequest& request, const StudyParts& parts,
   write_plan(request.plan, request.command, left);
 }
 
-/// The scene, once it is known that the folder of its study may be written.
+/// The scene, once it is known that the folders of its study and plan may be written.
 Subject begun(const AccuracyRequest& request, const Warn& warn) {
   if (!request.output.empty()) {
     check_folder(request.output);  // before hours of computing
+  }
+  if (!request.plan.empty()) {
+    check_folder(std::filesystem::absolute(request.plan).parent_path().string());
   }
   Subject subject = subject_of(request);
   if (const auto moved = warning_of_move(subject.moved); moved && !request.part) {

@@ -38,6 +38,7 @@ class PhaseReader {
     }
     check_resting_names();
     add_unlisted();
+    hold_through_impacts();
     check_lift_offs();
     if (const std::optional<Text> start = root_.optional_text("start_phase")) {
       scene_.start_phase = phase(root_, *start);
@@ -273,6 +274,20 @@ class PhaseReader {
         for (model::Phase& phase : scene_.phases) {
           phase.active.push_back(static_cast<int>(k));
           std::ranges::sort(phase.active);
+        }
+      }
+    }
+  }
+
+  /// What acts before and behind an impact takes its part of it.
+  void hold_through_impacts() {
+    for (model::Phase& phase : scene_.phases) {
+      for (model::Event& event : phase.until) {
+        if (event.impact) {
+          std::set<int> rows(event.impact->constraints.begin(), event.impact->constraints.end());
+          std::ranges::set_intersection(phase.active, scene_.phases[to_index(event.then)].active,
+                                        std::inserter(rows, rows.end()));
+          event.impact->constraints.assign(rows.begin(), rows.end());
         }
       }
     }

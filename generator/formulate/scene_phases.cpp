@@ -36,17 +36,19 @@ std::vector<Event> lift_offs(const Scene& scene, int phase, const std::vector<in
   std::vector<Event> result;
   for (const model::Phase& other : scene.phases) {
     for (const Event& event : other.until) {
+      if (!rests_unasked(scene, event)) {
+        continue;
+      }
+      const int floor = model::struck(scene, event).front();
       const auto is_known = [&](const Event& known) {
-        return known.constraint == event.impact->constraints.front();
+        return known.constraint == floor;
       };
-      if (!rests_unasked(scene, event) ||
-          !std::ranges::includes(resting, event.impact->constraints) ||
-          std::ranges::any_of(result, is_known)) {
+      if (!std::ranges::binary_search(resting, floor) || std::ranges::any_of(result, is_known)) {
         continue;
       }
       Event lift_off;
       lift_off.kind = EventKind::kReaction;
-      lift_off.constraint = event.impact->constraints.front();
+      lift_off.constraint = floor;
       lift_off.plane.normal = event.plane.normal;
       lift_off.then = phase;
       lift_off.goes_on = true;
@@ -106,10 +108,11 @@ bool rebounds(const Event& event) { return strikes(event) && event.impact->resti
 
 bool rests_unasked(const Scene& scene, const Event& event) {
   if (event.kind != EventKind::kHeight || !rebounds(event) || event.impact->restitution == 1 ||
-      event.impact->rest_below > 0 || event.impact->constraints.size() != 1) {
+      event.impact->rest_below > 0) {
     return false;
   }
-  return step_method(scene) && model::floor_of(scene, event, event.impact->constraints) >= 0;
+  const std::vector<int> rows = model::struck(scene, event);
+  return step_method(scene) && rows.size() == 1 && model::floor_of(scene, event, rows) >= 0;
 }
 
 bool may_rest(const Scene& scene, const Event& event) {

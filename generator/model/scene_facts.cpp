@@ -180,6 +180,13 @@ bool strikes_what_acts(const Event& event, const std::vector<int>& active) {
          std::ranges::includes(active, event.impact->constraints);
 }
 
+std::vector<int> struck(const Scene& scene, const Event& event) {
+  std::vector<int> result;
+  std::ranges::set_difference(event.impact->constraints, scene.phases[to_index(event.then)].active,
+                              std::back_inserter(result));
+  return result;
+}
+
 int floor_of(const Scene& scene, const Event& event, const std::vector<int>& rows) {
   const auto holds = [&](int c) {
     const Constraint& row = scene.constraints[to_index(c)];

@@ -47,6 +47,10 @@ bool is_angular(const Tree& tree, const Constraint& constraint);
 /// none.
 int floor_of(const Scene& scene, const Event& event, const std::vector<int>& rows);
 
+/// Constraints of an impact that do not act behind it, ascending: what a rebound comes to rest on.
+/// \pre event.impact
+std::vector<int> struck(const Scene& scene, const Event& event);
+
 /// The value of a variable at a point of the scene.
 using AtPoint = std::function<double(int point, const Variable& variable)>;
 /// "drive of joint 'elbow'": what acts and has no value at a state; empty if there is none.

@@ -319,7 +319,7 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
   const auto C = system_.geometry(record.q).C().middleCols<3>(3 * event.point);
   const double rebound = (C * vector_of(event.plane.normal)).dot(record.qd_after);
   const bool may_lift_off =
-      restitution < 1 && model::floor_of(scene_, event, impact.constraints) >= 0;
+      restitution < 1 && model::floor_of(scene_, event, model::struck(scene_, event)) >= 0;
   if (rebound >= std::max(static_cast<double>(impact.rest_below), may_lift_off ? kAtRest : 0.0)) {
     return false;
   }
@@ -344,11 +344,11 @@ std::string Simulator::name_of(std::size_t event) const {
 
 /// A rebound so small that it rests, though nobody has said that it may: until it would be pulled.
 void Simulator::add_lift_off(const model::Event& event) {
-  LiftOff result{{}, event.impact->constraints};
+  LiftOff result{{}, model::struck(scene_, event)};
   result.event.kind = model::EventKind::kReaction;
   result.event.plane.normal = event.plane.normal;
   result.event.then = event.then;
-  result.event.constraint = model::floor_of(scene_, event, event.impact->constraints);
+  result.event.constraint = model::floor_of(scene_, event, result.constraints);
   if (result.event.constraint >= 0) {
     lift_offs_.push_back(result);
   }

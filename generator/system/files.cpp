@@ -40,10 +40,11 @@ class Folders {
       return;
     }
     make(folder.parent_path());
-    if (::mkdir(folder.c_str(), 0777) == 0) {
+    const int error = ::mkdir(folder.c_str(), 0777) == 0 ? 0 : errno;
+    if (error == 0) {
       made_.push_back(folder);
-    } else if (errno != EEXIST || !fs::is_directory(folder, ignored)) {
-      fail(folder.string(), "cannot make the output folder", errno == EEXIST ? ENOTDIR : errno);
+    } else if (error != EEXIST || !fs::is_directory(folder, ignored)) {
+      fail(folder.string(), "cannot make the output folder", error == EEXIST ? ENOTDIR : error);
     }
   }
   void keep() { made_.clear(); }

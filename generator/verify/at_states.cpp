@@ -11,6 +11,7 @@
 #include "engine/user_function.hpp"
 #include "model/parameters.hpp"
 #include "program/interpret.hpp"
+#include "program/random.hpp"
 #include "program/rounding.hpp"
 #include "verify/solve.hpp"
 
@@ -49,16 +50,11 @@ Real largest_inertia(const model::Tree& tree) {
   return largest;
 }
 
-/// The same numbers on every machine (splitmix64), in (-2, 2).
+/// The same numbers on every machine, in [-2, 2).
 class States {
  public:
   Real next() {
-    state_ += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t x = state_;
-    x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
-    x ^= x >> 31U;
-    return Real(static_cast<std::int64_t>(x)) / Real(std::int64_t{1} << 62U);
+    return Real(static_cast<std::int64_t>(random_.next())) / Real(std::int64_t{1} << 62U);
   }
 
   std::vector<Values> inputs(const program::Signature& signature) {
@@ -74,7 +70,7 @@ class States {
   }
 
  private:
-  std::uint64_t state_ = 1;
+  program::Random random_{1};
 };
 
 /// \param derived  the elements of the argument behind `inputs`, if there is one

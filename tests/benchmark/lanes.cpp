@@ -1,6 +1,7 @@
 // benchmark_throughput ROUNDS -o DIR: states a second on one core with --lanes 2, 4, 8, 16,
-// relative to one state at a time, which takes the sines of all its angles at once, in one
-// interleaved run. Writes lanes.md.
+// relative to one state at a time, which takes the sines of all its angles at once, and those of 8
+// lanes relative to one state without any vector (--sincos pair), in one interleaved run. Writes
+// lanes.md.
 #include "benchmark/lanes.hpp"
 
 #include <cmath>
@@ -48,7 +49,8 @@ void check(const LanesCode& one, const LanesCode& many, int function) {
   }
 }
 
-/// One row a robot, function and compiler. \pre the code for one lane of a robot comes first
+/// One row a robot, function and compiler. \pre of a robot the code for one lane comes first, then
+/// the one without vectors
 std::string table(const std::vector<const LanesCode*>& codes, int rounds) {
   std::vector<Repeated> functions;
   for (const LanesCode* code : codes) {
@@ -62,24 +64,35 @@ std::string table(const std::vector<const LanesCode*>& codes, int rounds) {
   const LanesCode* one = nullptr;
   for (int k = 0; k < kFunctionCount; ++k) {
     double alone = 0;
+    double scalar = 0;
+    std::string eight;
     for (std::size_t c = 0; c < codes.size(); ++c) {
       const double time = times[kFunctionCount * c + static_cast<std::size_t>(k)].median;
-      if (codes[c]->lanes == 1) {
-        one = codes[c];
+      const LanesCode& code = *codes[c];
+      if (code.lanes == 1 && code.has_vectors) {
+        one = &code;
         alone = time;
-        text += fmt::format("\n| {} | {} | {} | {} |", one->robot, kFunctions[k], one->scalar,
-                            one->compiler);
+        text += fmt::format("\n| {} | {} | {} | {} |", code.robot, kFunctions[k], code.scalar,
+                            code.compiler);
         continue;
       }
-      check(*one, *codes[c], k);
-      text += fmt::format(" {:.1f} |", alone * codes[c]->lanes / time);
+      check(*one, code, k);
+      if (!code.has_vectors) {
+        scalar = time;
+        continue;
+      }
+      text += fmt::format(" {:.1f} |", alone * code.lanes / time);
+      if (code.lanes == 8) {
+        eight = fmt::format(" {:.1f} |", scalar * code.lanes / time);
+      }
+      text += code.lanes == 16 ? eight : "";
     }
   }
   return fmt::format(
       "States a second on one core, relative to the code for one state with default options, by "
       "medians:\n\n"
       "| robot | function | scalar | compiler | 2 lanes | 4 lanes | 8 lanes | 16 lanes "
-      "|\n|---|---|---|---|---|---|---|---|{}\n",
+      "| 8 lanes to one state without vectors |\n|---|---|---|---|---|---|---|---|---|{}\n",
       text);
 }
 

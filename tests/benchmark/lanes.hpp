@@ -7,7 +7,8 @@
 
 namespace treedyn::benchmark {
 
-/// The functions of one robot, generated with `--lanes` `lanes`.
+/// The functions of one robot, generated with `--lanes` `lanes`, or for one state without any
+/// vector: `--sincos pair`.
 struct LanesCode {
   using Values = std::vector<double> (*)(int function, int state);
   using Run = void (*)(int function, Turn);
@@ -16,6 +17,7 @@ struct LanesCode {
   const char* scalar;
   const char* compiler;
   int lanes;
+  bool has_vectors;
   double epsilon;  ///< of the scalar
   /// Puts the same random states into every lane.
   void (*prepare)();

@@ -673,6 +673,15 @@ TEST_F(Accuracy, KeepsToThePeriodOfAController) {
   expect_usage_error(treedyn({"accuracy", kPendulum, "--rate", "1e5"}), "expected a lower rate");
 }
 
+TEST_F(Accuracy, AsksForThePlaceOfAPlanBeforeItComputes) {
+  write_file(scratch("file"), "");
+  const Outcome outcome = treedyn({"accuracy", kPendulum, "--parts", scratch("parts"), "--plan",
+                                   scratch("file") + "/plan.txt"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, scratch("file") + ": cannot write: Not a directory\n");
+  EXPECT_FALSE(fs::exists(scratch("parts")));
+}
+
 TEST_F(Accuracy, RefusesStepsThatDoNotDivideTheTimeOfAComparison) {
   expect_usage_error(treedyn({"accuracy", kPendulum, "--steps", "0.03"}),
                      "step 0.03 s does not divide 0.2 s");

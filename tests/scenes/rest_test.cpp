@@ -127,6 +127,48 @@ TEST(PhaseStep, RestsUnaskedUntilTheFloorWouldPull) {
   }
 }
 
+/// The ball slides down a rail of 45 degrees, bounces, rests and is pulled off after 2 s.
+std::string on_a_rail(const std::string& struck) {
+  return "scene: rail\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
+         "/tests/scenes/models/cart_and_ball.yaml\n"
+         "points: [{name: tip, link: ball, at: [0, 0, 0]}]\neffects:\n  gravity: [0, 0, -10]\n"
+         "  force: [{point: tip, value: [0, 0, 5*t]}]\n  point_constraint:\n"
+         "    - {name: rail, point: tip, along: [[1, 0, 1]]}\n"
+         "    - {name: floor, point: tip, along: [z]}\nphases:\n  - name: fall\n    active: " +
+         (struck == "floor" ? "[]" : "[rail]") +
+         "\n    until:\n      - touch_down: {point: tip}\n        impact: {constraints: [" +
+         struck +
+         "], restitution: 0.5}\n        then: fall\ninitial: {q: {height: 0.1}}\nduration: 3\n"
+         "stepping: {integrator: rk4, step: 1e-2}\n";
+}
+
+/// What acts before and behind an impact takes its part of it, named by it or not.
+TEST(PhaseStep, ReboundsAndRestsOnWhatIsHeld) {
+  for (const std::string struck : {"floor", "floor, rail"}) {
+    SCOPED_TRACE(struck);
+    const SceneCode scene(on_a_rail(struck));
+    Vector q = {0, 0.1};
+    Vector qd = {0, 0};
+    Vector phase = {0};
+    bool rests = false;
+    for (int k = 0; k < 300; ++k) {
+      const Measurement next = scene.code().measure("step", {q, qd, {0, 0}, {k * 1e-2}, phase});
+      ASSERT_EQ(next.status, 0) << "step " << k;
+      q = {next.values.at(0), next.values.at(1)};
+      qd = {next.values.at(2), next.values.at(3)};
+      phase = {next.values.at(5)};
+      ASSERT_NEAR(qd[0] + qd[1], 0, 1e-12) << "step " << k;
+      rests = rests || phase[0] == 1;
+    }
+    EXPECT_TRUE(rests);
+    EXPECT_EQ(phase[0], 0);
+    // cart and ball, 1 kg each: 3 kg move with the ball's height, by 5 N/s (t - 2 s) from there on
+    EXPECT_NEAR(qd[1], 2.5 / 3, 1e-9);
+    EXPECT_NEAR(q[1], 5.0 / 18, 1e-9);
+    EXPECT_NEAR(q[0] + q[1], 0.1, 1e-12);
+  }
+}
+
 /// The ball on a cart whose axis sticks: 1 m above the floor, the cart at 1 m/s.
 TEST(PhaseStep, RestsBesideAJointThatSticks) {
   const SceneCode scene(

@@ -347,6 +347,32 @@ duration: 0.2
   EXPECT_EQ(run.simulator.q()[0], 0);
 }
 
+/// The ball slides down a rail of 45 degrees: what acts before and behind an impact takes its part
+/// of it, named by it or not.
+TEST(Impact, LeavesOnItsRailWhatIsHeldThere) {
+  for (const std::string struck : {"floor", "floor, rail"}) {
+    SCOPED_TRACE(struck);
+    Running running(
+        scene_of("scene: rail\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
+                 "/tests/scenes/models/cart_and_ball.yaml\npoints: [{name: tip, link: ball, at: "
+                 "[0, 0, 0]}]\neffects:\n  gravity: [0, 0, -10]\n  point_constraint:\n    - "
+                 "{name: rail, point: tip, along: [[1, 0, 1]]}\n    - {name: floor, point: tip, "
+                 "along: [z]}\nphases:\n  - name: fall\n    active: " +
+                 std::string(struck == "floor" ? "[]" : "[rail]") +
+                 "\n    until: [{touch_down: {point: tip}, impact: {constraints: [" + struck +
+                 "], restitution: 0.5}, then: fall}]\ninitial: {q: {height: 0.6}}\nduration: 1\n"));
+    running.advance_to(1);
+    ASSERT_FALSE(running.simulator.events().empty());
+    const EventRecord& impact = running.simulator.events().front();
+    // 3 kg move with the height of the ball, 1 kg pulls
+    EXPECT_NEAR(impact.time, 0.6, 1e-9);
+    EXPECT_NEAR(impact.qd_before[1], -2, 1e-8);
+    EXPECT_NEAR(impact.qd_after[1], 1, 1e-8);
+    EXPECT_NEAR(impact.qd_after[0], -1, 1e-8);
+    EXPECT_NEAR(running.simulator.q().sum(), 0.6, 1e-9);
+  }
+}
+
 TEST(Impact, CanBeSwitchedOff) {
   model::Scene scene = scene_of(kBall + "use: {impact: off}\n");
   EXPECT_FALSE(scene.phases.front().until.front().impact.has_value());
