@@ -198,6 +198,16 @@ void VariantSearch::drop_what_does_not_pay(Candidate& best) {
   }
 }
 
+/// Where travelling values meet changes how the cost grows, which is worth a look where the moves
+/// do not suffice to try every setting.
+void VariantSearch::try_ways(Candidate& best) {
+  for (const Way way : {Way::kToRoot, Way::kInLinks, Way::kInBase}) {
+    Variant trial = best.variant;
+    trial.way = way;
+    best.improve(trial, raw_cost(trial));
+  }
+}
+
 /// Moves of the algebraic local search, fewer for large functions; none without a search.
 optimise::Effort VariantSearch::algebra_effort(const program::Function& function) const {
   optimise::Effort effort;
@@ -218,6 +228,9 @@ void VariantSearch::run() {
     return optimised_cost(variant);
   };
   Candidate best{finalists_.front().second, finalists_.front().first};
+  if (recipe_.freedom.any_way && moves_ <= 2 * other_settings(choices_)) {
+    try_ways(best);
+  }
   drop_what_does_not_pay(best);
   const int all = moves_;
   const int half = all / 2;

@@ -156,10 +156,28 @@ std::string event_name(const model::Scene& scene, int phase, std::size_t event) 
   return fmt::format("expression {}", event + 1);
 }
 
+std::string no_value(const model::Scene& scene, double time, const std::vector<double>& state) {
+  constexpr double kSoon = 1e-9;  // s, or of the time
+  const std::size_t n = state.size() / 2;
+  for (const double later : {0.0, kSoon * std::max(1.0, std::fabs(time))}) {
+    std::vector<double> then = state;
+    for (std::size_t k = 0; k < n; ++k) {
+      then[k] += later * state[n + k];
+    }
+    const std::string lost =
+        model::without_value(scene, time + later, then, points_at(scene, then));
+    if (!lost.empty()) {
+      return fmt::format("{} has no value {} t = {:.6g} s", lost, later > 0 ? "just behind" : "at",
+                         time);
+    }
+  }
+  return "";
+}
+
 std::string not_finite(const model::Scene& scene, double time, const std::vector<double>& state) {
-  const std::string lost = model::without_value(scene, time, state, points_at(scene, state));
+  const std::string lost = no_value(scene, time, state);
   if (!lost.empty()) {
-    return fmt::format("{} has no value at t = {:.6g} s", lost, time);
+    return lost;
   }
   const model::Tree& tree = scene.tree;
   const std::size_t n = state.size() / 2;

@@ -8,6 +8,10 @@
 
 namespace treedyn::simulation {
 
+/// "drive of joint 'elbow' has no value at t = 2 s": what acts and has none there or just behind;
+/// empty if there is nothing. \param state  q and behind it qd
+std::string no_value(const model::Scene& scene, double time, const std::vector<double>& state);
+
 /// "the motion is not finite at t = 2 s; before, joint 'elbow' was at 1 and moved at 3e+09 rad/s":
 /// the fastest joint; what acts and has no value in the last state that was finite, if it is that.
 /// \param state  this one: q and behind it qd

@@ -173,11 +173,14 @@ double Simulator::adaptive_step(double longest) {
   const double given = settings_.longest > 0 ? settings_.longest : longest;
   for (double h = longest_step(std::min({suggested_, given, longest}));;) {
     if (!(t_ + h > t_) || (h < least_step() && h < longest)) {
+      const std::vector<double> state(y_.begin(), y_.end());
+      const bool is_finite =
+          (next_.size() == 0 || next_.allFinite()) && no_value(scene_, t_, state).empty();
       throw std::runtime_error(
-          next_.size() == 0 || next_.allFinite()
+          is_finite
               ? fmt::format("no step that advances time meets the tolerance of {} at t = {} s",
                             settings_.tolerance, t_)
-              : not_finite(scene_, t_, {y_.begin(), y_.end()}));
+              : not_finite(scene_, t_, state));
     }
     take(h);
     const double ratio = error_ratio(h);
