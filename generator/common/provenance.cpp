@@ -49,8 +49,8 @@ std::pair<double, double> rates(RecipeKind kind, double a, double b) {
 
 double rate(RecipeKind kind, double of, double result) {
   return kind == RecipeKind::kSqrt  ? 1 / (2 * result)
-         : kind == RecipeKind::kSin ? std::cos(of)
-                                    : -std::sin(of);
+         : kind == RecipeKind::kSin ? static_cast<double>(cos(Digits(of)))
+                                    : -static_cast<double>(sin(Digits(of)));
 }
 
 }  // namespace

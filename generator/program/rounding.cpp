@@ -1,10 +1,14 @@
 #include "program/rounding.hpp"
 
+#include <bit>
+#include <cstdint>
 #include <functional>
+#include <type_traits>
 
 #include "common/transformed.hpp"
 #include "program/fingerprint.hpp"
 #include "program/interpret.hpp"
+#include "program/random.hpp"
 
 namespace treedyn::program {
 
@@ -111,28 +115,92 @@ double amplification(const Function& function, const Function& before) {
 
 namespace {
 
+/// The same bits on every machine: sines of float and double are rounded from 50 digits.
+template <class Scalar>
+Scalar elementary(Kind kind, const Scalar& x) {
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    return static_cast<Scalar>(elementary(kind, Digits(x)));
+  } else {
+    return kind == Kind::kSin   ? Scalar(sin(x))
+           : kind == Kind::kCos ? Scalar(cos(x))
+                                : Scalar(sqrt(abs(x)));
+  }
+}
+
 /// At the state that float has.
 template <class Scalar>
-std::vector<Scalar> results_at(const Function& function, int state) {
-  const std::vector<Scalar> values = node_values<Scalar>(
-      function.graph, function.outputs,
-      [state](int array, int element) {
-        return Scalar(static_cast<float>(kLargestInput * sample_input(array, element, state)));
-      },
-      [](Kind kind, const Scalar& x) {
-        using std::cos;
-        using std::sin;
-        using std::sqrt;
-        return kind == Kind::kSin   ? Scalar(sin(x))
-               : kind == Kind::kCos ? Scalar(cos(x))
-                                    : Scalar(sqrt(abs(x)));
-      });
-  std::vector<Scalar> results;
-  for (const Ref output : function.outputs) {
+Scalar input_at(int array, int element, int state) {
+  return Scalar(static_cast<float>(kLargestInput * sample_input(array, element, state)));
+}
+
+template <class Scalar>
+std::vector<Scalar> outputs_of(const Function& function, const std::vector<Scalar>& values) {
+  return transformed(function.outputs, [&](const Ref output) {
     const Scalar& value = values[node_index(output)];
-    results.push_back(output < 0 ? Scalar(-value) : value);
+    return output < 0 ? Scalar(-value) : value;
+  });
+}
+
+template <class Scalar>
+std::vector<Scalar> results_at(const Function& function, int state) {
+  return outputs_of(function, node_values<Scalar>(
+                                  function.graph, function.outputs,
+                                  [state](int array, int element) {
+                                    return input_at<Scalar>(array, element, state);
+                                  },
+                                  elementary<Scalar>));
+}
+
+/// A number half of whose operations are off by a last digit more, up or down by chance: so may
+/// fused ones be, those of another order, and sines that are not rounded from more digits.
+template <class Scalar>
+struct Nudged {
+  Scalar value = 0;
+  std::uint64_t seed = 0;  ///< of chance; 0: of a constant
+
+  Nudged() = default;
+  Nudged(Scalar the_value, std::uint64_t the_seed) : value(the_value), seed(the_seed) {}
+  explicit Nudged(int constant) : value(static_cast<Scalar>(constant)) {}
+  explicit Nudged(const Real& constant) : value(static_cast<Scalar>(constant)) {}
+
+  static Nudged rounded(Scalar value, std::uint64_t seed) {
+    const std::uint64_t chance = seed == 0 ? 0 : scramble(scramble(bits(value)) ^ seed) % 4;
+    const Scalar far = std::numeric_limits<Scalar>::infinity();
+    return {chance == 1   ? std::nextafter(value, far)
+            : chance == 2 ? std::nextafter(value, -far)
+                          : value,
+            seed};
   }
-  return results;
+  Nudged operator-() const { return {-value, seed}; }
+  friend Nudged operator+(const Nudged& a, const Nudged& b) {
+    return rounded(a.value + b.value, std::max(a.seed, b.seed));
+  }
+  friend Nudged operator*(const Nudged& a, const Nudged& b) {
+    return rounded(a.value * b.value, std::max(a.seed, b.seed));
+  }
+  friend Nudged operator/(const Nudged& a, const Nudged& b) {
+    return rounded(a.value / b.value, std::max(a.seed, b.seed));
+  }
+
+ private:
+  static std::uint64_t bits(Scalar value) {
+    return std::bit_cast<std::uint64_t>(static_cast<double>(value));
+  }
+};
+
+template <class Scalar>
+std::vector<Scalar> nudged_at(const Function& function, int state, std::uint64_t seed) {
+  using Value = Nudged<Scalar>;
+  const std::vector<Value> results =
+      outputs_of(function, node_values<Value>(
+                               function.graph, function.outputs,
+                               [&](int array, int element) {
+                                 return Value(input_at<Scalar>(array, element, state), seed);
+                               },
+                               [](Kind kind, const Value& x) {
+                                 return Value::rounded(elementary(kind, x.value), x.seed);
+                               }));
+  return transformed(results, [](const Value& x) { return x.value; });
 }
 
 }  // namespace
@@ -208,29 +276,34 @@ std::vector<double> in_double(const std::vector<Scalar>& values) {
 }  // namespace
 
 KnownAnswers known_answers(const Function& function, int states, bool single) {
-  constexpr double kMargin = 8;
+  constexpr double kMargin = 2;
+  constexpr std::uint64_t kSamples = 8;
   const double unit = (single ? static_cast<double>(std::numeric_limits<float>::epsilon())
                               : std::numeric_limits<double>::epsilon()) /
                       2;
-  KnownAnswers result;
-  std::vector<std::vector<double>> carried_out;
   const auto& outputs = function.signature.outputs;
+  KnownAnswers result;
+  result.bounds.assign(outputs.size(), 0);
   for (int state = 1; state <= states; ++state) {
     append_by_array(function.signature.inputs, inputs_at(function, state), result.inputs);
-    append_by_array(outputs, in_double(results_at<Real>(function, state)), result.outputs);
-    append_by_array(outputs,
-                    single ? in_double(results_at<float>(function, state))
-                           : in_double(results_at<double>(function, state)),
-                    carried_out);
+    const std::vector<double> exact = in_double(results_at<Real>(function, state));
+    append_by_array(outputs, exact, result.outputs);
+    for (std::uint64_t seed = 1; seed <= kSamples; ++seed) {
+      const std::vector<double> results = single
+                                              ? in_double(nudged_at<float>(function, state, seed))
+                                              : in_double(nudged_at<double>(function, state, seed));
+      auto at = static_cast<std::size_t>(0);
+      for (std::size_t k = 0; k < outputs.size(); ++k) {
+        for (int i = 0; i < outputs[k].size; ++i, ++at) {
+          result.bounds[k] = std::max(result.bounds[k], std::abs(results[at] - exact[at]));
+        }
+      }
+    }
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {
-    double off = 0;
-    double size = 0;
-    for (std::size_t i = 0; i < result.outputs[k].size(); ++i) {
-      off = std::max(off, std::abs(carried_out[k][i] - result.outputs[k][i]));
-      size = std::max(size, std::abs(result.outputs[k][i]));
-    }
-    result.bounds.push_back(kMargin * (off + unit * size));
+    const double size =
+        std::ranges::max(result.outputs[k], {}, [](double x) { return std::abs(x); });
+    result.bounds[k] = kMargin * (result.bounds[k] + 4 * unit * std::abs(size));
   }
   return result;
 }

@@ -80,8 +80,9 @@ struct KnownAnswers {
   std::vector<std::vector<double>>
       inputs;  ///< by array: elements of the first state, the second ..
   std::vector<std::vector<double>> outputs;  ///< the same, from 50 digits
-  /// By output array: eight times what the same operations in the scalar lose there, and eight unit
-  /// roundoffs of its largest value. Other orders of rounding (fused operations) stay within.
+  /// By output array: twice what eight runs of the same operations in the scalar lose there at
+  /// most, half of which are off by a last digit more by chance, and eight unit roundoffs of its
+  /// largest value. Other orders of rounding, as of fused operations, are likely to stay within.
   std::vector<double> bounds;
 };
 
