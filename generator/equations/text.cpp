@@ -270,6 +270,10 @@ class Parser : public Grammar<Term> {
     if (name == "dot") {
       return scope_.dot(x);
     }
+    if (name == "sqrt" || name == "sin" || name == "cos" || name == "tan") {
+      throw std::runtime_error(
+          fmt::format("takes '{}' of a block expression; expected a constant there", name));
+    }
     throw std::runtime_error(fmt::format(
         "there is no function '{}'; expected T, Lam, LamT, diagb, dot, at, under, above, at_point, "
         "R, or sqrt, sin, cos, tan of a constant",
