@@ -273,6 +273,17 @@ std::vector<double> in_double(const std::vector<Scalar>& values) {
   return transformed(values, [](const Scalar& x) { return static_cast<double>(x); });
 }
 
+/// Raises the bound of each array to the largest error of its elements.
+void raise(const std::vector<Array>& arrays, const std::vector<double>& results,
+           const std::vector<double>& exact, std::vector<double>& bounds) {
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < arrays.size(); ++k) {
+    for (int i = 0; i < arrays[k].size; ++i, ++at) {
+      bounds[k] = std::max(bounds[k], std::abs(results[at] - exact[at]));
+    }
+  }
+}
+
 }  // namespace
 
 KnownAnswers known_answers(const Function& function, int states, bool single) {
@@ -292,18 +303,15 @@ KnownAnswers known_answers(const Function& function, int states, bool single) {
       const std::vector<double> results = single
                                               ? in_double(nudged_at<float>(function, state, seed))
                                               : in_double(nudged_at<double>(function, state, seed));
-      auto at = static_cast<std::size_t>(0);
-      for (std::size_t k = 0; k < outputs.size(); ++k) {
-        for (int i = 0; i < outputs[k].size; ++i, ++at) {
-          result.bounds[k] = std::max(result.bounds[k], std::abs(results[at] - exact[at]));
-        }
-      }
+      raise(outputs, results, exact, result.bounds);
     }
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const double size =
-        std::ranges::max(result.outputs[k], {}, [](double x) { return std::abs(x); });
-    result.bounds[k] = kMargin * (result.bounds[k] + 4 * unit * std::abs(size));
+    double size = 0;
+    for (const double value : result.outputs[k]) {
+      size = std::max(size, std::abs(value));
+    }
+    result.bounds[k] = kMargin * (result.bounds[k] + 4 * unit * size);
   }
   return result;
 }

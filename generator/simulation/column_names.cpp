@@ -175,7 +175,7 @@ std::string no_value(const model::Scene& scene, double time, const std::vector<d
 }
 
 std::string not_finite(const model::Scene& scene, double time, const std::vector<double>& state) {
-  const std::string lost = no_value(scene, time, state);
+  std::string lost = no_value(scene, time, state);
   if (!lost.empty()) {
     return lost;
   }

@@ -363,5 +363,38 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(treedyn({"generate", kModel, "--dump", "derive"}).out, HasSubstr("mass_matrix: "));
 }
 
+/// Each joint has its column of the momentum about the base origin: one vector on the way there,
+/// which takes no turn a joint where values meet in the base.
+TEST_F(Cli, EquationsOfChainsGrowWithTheirLinks) {
+  write_file(scratch("e.yaml"),
+             "equations: [{name: momentum, value: \"T(ones) * (Lam(diagb(r)) * m_d * J_v + J_d * "
+             "J_w)\"}]\n");
+  const auto operations = [&](int links) {
+    std::string model = "name: chain\nlinks:\n";
+    for (int k = 0; k < links; ++k) {
+      model += fmt::format(
+          "  - {{name: l{0}, father: {1}, joint: {{name: j{0}, type: revolute, axis: [0.1, {2}, "
+          "1], offset: [0.1, 0.2, 0.3]}}, mass: 1, com: [0.1, 0, 0.2], inertia: [0.2, 0, 0, 0.25, "
+          "0, 0.3]}}\n",
+          k, k == 0 ? "ground" : fmt::format("l{}", k - 1), 0.3 + 0.01 * k);
+    }
+    write_file(scratch("chain.yaml"), model);
+    const Outcome outcome =
+        treedyn({"generate", scratch("chain.yaml"), "--equations", scratch("e.yaml"), "--functions",
+                 "momentum", "--effort", "0", "-o", out()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string manifest = read_file(file("chain.json"));
+    const auto number = [&](const std::string& name) {
+      return std::stoi(manifest.substr(manifest.find("\"" + name + "\": ") + name.size() + 4));
+    };
+    return number("add") + number("mul");
+  };
+  const int ten = operations(10);
+  const int twenty = operations(20);
+  const int forty = operations(40);
+  EXPECT_NEAR(forty - twenty, 2 * (twenty - ten), 0.1 * (forty - twenty));
+  EXPECT_GT(ten, 0);
+}
+
 }  // namespace
 }  // namespace treedyn
