@@ -94,14 +94,21 @@ std::string without_returns(std::string text) {
   return text;
 }
 
-/// Without the name of the file that the model stands in, which no statement depends on.
-std::string without_model_file(std::string text) {
-  for (const std::string_view mark : {"\n//   treedyn generate ", "\"model\": {\"file\": \""}) {
-    const std::size_t at = text.find(mark);
-    if (at != std::string::npos) {
-      const std::size_t name = at + mark.size();
-      text.erase(name, text.find_first_of(" \"\n", name) - name);
+/// Without the command in a comment and the names of files in a manifest: no statement depends on
+/// what the model's file is called, and options have their own line in the manifest.
+std::string without_file_names(std::string text) {
+  const std::size_t command = text.find("\n//   treedyn generate");
+  if (command != std::string::npos) {
+    constexpr std::string_view kGoesOn = "\n//     ";
+    std::size_t end = text.find('\n', command + 1);
+    while (end != std::string::npos && text.compare(end, kGoesOn.size(), kGoesOn) == 0) {
+      end = text.find('\n', end + 1);
     }
+    text.erase(command, end - command);
+  }
+  constexpr std::string_view kFile = "{\"file\": ";
+  for (std::size_t at = text.find(kFile); at != std::string::npos; at = text.find(kFile, at + 1)) {
+    text.erase(at, text.find(", \"sha256\"", at) - at);
   }
   return text;
 }
@@ -112,8 +119,8 @@ std::string verdict(const std::string& old_text, const std::string& new_text,
   if (std::ranges::count(old_text, '\r') > 0 && without_returns(old_text) == new_text) {
     return fmt::format("{}: lines end in \\r\\n and are the same else\n", path);
   }
-  const bool constants = without_literals(without_model_file(old_text)) ==
-                         without_literals(without_model_file(new_text));
+  const bool constants = without_literals(without_file_names(old_text)) ==
+                         without_literals(without_file_names(new_text));
   const int lines = changed_lines(old_text, new_text);
   return fmt::format("{}: {}, {} line{}\n", path, constants ? "constants only" : "structure", lines,
                      lines == 1 ? "" : "s");

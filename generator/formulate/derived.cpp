@@ -343,6 +343,7 @@ Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
            .trunk = function->derivation.symmetric,
            .any_way = turns,
            .way = turns ? Way::kToRoot : Way::kInBase,
+           .open_way = turns,
            .fixed_frames = function->equation.names_places,
            .fixed_length = function->fixed_length,
            .own_code = true},

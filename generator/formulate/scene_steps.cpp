@@ -220,7 +220,7 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     result.rest_below = event.impact->rest_below;
   }
   result.goes_on = event.goes_on;
-  std::vector<int> rows = event.impact ? event.impact->constraints : std::vector<int>();
+  std::vector<int> rows = event.impact ? model::struck(scene_, event) : std::vector<int>();
   std::ranges::copy_if(active_behind(scene_, states_[state], event, false),
                        std::back_inserter(rows),
                        [&](int c) { return std::ranges::count(before, c) == 0; });

@@ -228,7 +228,8 @@ void VariantSearch::run() {
     return optimised_cost(variant);
   };
   Candidate best{finalists_.front().second, finalists_.front().first};
-  if (recipe_.freedom.any_way && moves_ <= 2 * other_settings(choices_)) {
+  if (recipe_.freedom.open_way && options_.has(Pass::kSearch) &&
+      moves_ <= 2 * other_settings(choices_)) {
     try_ways(best);
   }
   drop_what_does_not_pay(best);

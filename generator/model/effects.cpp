@@ -24,6 +24,13 @@ std::vector<int> renumbered(const std::vector<int>& indices, const std::vector<i
   return result;
 }
 
+/// True if all constraints of an impact act before and behind it.
+bool nothing_strikes(const Scene& scene, const Phase& phase, const Event& event) {
+  return std::ranges::includes(phase.active, event.impact->constraints) &&
+         std::ranges::includes(scene.phases[to_index(event.then)].active,
+                               event.impact->constraints);
+}
+
 void remove_constraints(Scene& scene, ConstraintKind kind) {
   std::vector<int> place;
   std::vector<Constraint> kept;
@@ -45,6 +52,13 @@ void remove_constraints(Scene& scene, ConstraintKind kind) {
       event.pins = renumbered(event.pins, place);
       if (event.impact) {
         event.impact->constraints = renumbered(event.impact->constraints, place);
+      }
+    }
+  }
+  for (Phase& phase : scene.phases) {
+    for (Event& event : phase.until) {
+      if (event.impact && nothing_strikes(scene, phase, event)) {
+        event.impact.reset();
       }
     }
   }

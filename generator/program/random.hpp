@@ -13,7 +13,7 @@ constexpr std::uint64_t scramble(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
-/// splitmix64.
+/// A counter, scrambled.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -260,9 +260,7 @@ std::vector<double> inputs_at(const Function& function, int state) {
   std::vector<double> result;
   for (std::size_t k = 0; k < function.signature.inputs.size(); ++k) {
     for (int element = 0; element < function.signature.inputs[k].size; ++element) {
-      const auto single =
-          static_cast<float>(kLargestInput * sample_input(static_cast<int>(k), element, state));
-      result.push_back(static_cast<double>(single));
+      result.push_back(input_at<double>(static_cast<int>(k), element, state));
     }
   }
   return result;

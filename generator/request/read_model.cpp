@@ -189,7 +189,7 @@ void check_impact(const model::Scene& scene, const model::Phase& phase,
     const model::Constraint& row = scene.constraints[static_cast<std::size_t>(c)];
     const auto& speed = row.curve.velocity;
     if (!std::ranges::all_of(speed, [](const auto& v) { return v.is_zero(); })) {
-      throw InputError(where, fmt::format("phase '{}': an impact strikes constraint '{}', which "
+      throw InputError(where, fmt::format("phase '{}': an impact takes in constraint '{}', which "
                                           "is led along a curve; expected one at rest, or "
                                           "--functions without impact and step",
                                           shown(phase.name), shown(row.name)));

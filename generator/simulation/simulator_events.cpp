@@ -79,7 +79,7 @@ void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size
 /// The impact of a touch-down, or what begins to hold behind it, stops its point.
 bool Simulator::lands(const model::Event& event) const {
   const std::vector<int>& active = system_.constraints().active();
-  std::vector<int> rows = event.impact ? event.impact->constraints : std::vector<int>();
+  std::vector<int> rows = event.impact ? model::struck(scene_, event) : std::vector<int>();
   for (const int c : scene_.phases[static_cast<std::size_t>(event.then)].active) {
     if (!std::ranges::binary_search(active, c)) {
       rows.push_back(c);

@@ -1,7 +1,6 @@
 #include "system/files.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -232,61 +230,6 @@ void check_target(const std::string& path) {
   }
 }
 
-/// Folders in which no other writer of sets of files is at work: of two sets that go to one folder
-/// at once, the later one replaces the whole earlier one. Folders that cannot be locked, unreadable
-/// ones and those of some networks, stay open to others.
-class Locks {
- public:
-  void add(const fs::path& folder) {
-    const int descriptor =
-        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    struct stat status {};
-    if (descriptor < 0) {
-      return;
-    }
-    if (::fstat(descriptor, &status) != 0 ||
-        !folders_.emplace(Identity(status.st_dev, status.st_ino), Folder{folder, descriptor})
-             .second) {
-      ::close(descriptor);
-    }
-  }
-  /// Waits for others. \throws InputError if they do not end
-  void lock() {
-    constexpr int kTries = 1000;
-    constexpr useconds_t kPause = 10'000;  // in us
-    for (const auto& [identity, folder] : folders_) {
-      for (int k = 0; ::flock(folder.descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-           ++k) {
-        if (k == kTries) {
-          throw InputError({folder.path.string(), 0, 0},
-                           "cannot write: another process has been at it for 10 s");
-        }
-        ::usleep(kPause);
-      }
-    }
-  }
-
-  Locks() = default;
-  Locks(const Locks&) = delete;
-  Locks& operator=(const Locks&) = delete;
-  ~Locks() {
-    for (const auto& [identity, folder] : folders_) {
-      ::close(folder.descriptor);
-    }
-  }
-
- private:
-  struct Folder {
-    fs::path path;
-    int descriptor = -1;
-  };
-  using Identity = std::pair<dev_t, ino_t>;
-
-  std::map<Identity, Folder> folders_;  ///< locked in this order by every writer
-};
-
-bool changes(const OutputFile& file) { return file.always || read_file(file.path) != file.text; }
-
 }  // namespace
 
 void check_folder(const std::string& folder) {
@@ -309,21 +252,15 @@ int write_files(const std::vector<OutputFile>& files) {
     check_target(file.path);
   }
   Folders folders;
-  Locks locks;
-  for (const OutputFile& file : files) {
-    if (changes(file)) {
-      folders.make(fs::path(file.path).parent_path());
-      locks.add(fs::path(end_of_links(file.path)).parent_path());
-    }
-  }
-  locks.lock();
   std::vector<Temporary> temporaries;
   temporaries.reserve(files.size());
   for (const OutputFile& file : files) {
-    if (changes(file)) {
-      check_permission(file.path);
-      temporaries.emplace_back(file);
+    if (!file.always && read_file(file.path) == file.text) {
+      continue;
     }
+    folders.make(fs::path(file.path).parent_path());
+    check_permission(file.path);
+    temporaries.emplace_back(file);
   }
   for (Temporary& temporary : temporaries) {
     temporary.put_in_place();

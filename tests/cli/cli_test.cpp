@@ -288,20 +288,28 @@ TEST_F(Cli, AnotherNameOfTheModelsFileIsNoOtherStructure) {
   std::string model = read_file(kModel);
   const std::size_t at = model.find("mass: ");
   ASSERT_NE(at, std::string::npos);
-  write_file(scratch("calibrated.yaml"), model.insert(at + 6, "1.25 * "));
+  model.insert(at + 6, "1.25 * ");
   const std::vector<std::string> options = {"--name", "m", "-o", out(), "--effort", "0"};
-  std::vector<std::string> command = {"generate", kModel};
-  command.insert(command.end(), options.begin(), options.end());
-  ASSERT_EQ(treedyn(command).status, 0);
-  command[0] = "check";
-  command[1] = scratch("calibrated.yaml");
-  const Outcome outcome = treedyn(command);
-  EXPECT_EQ(outcome.status, 1);
-  for (const char* const name : {"m.hpp", "m.cpp", "m.json"}) {
-    EXPECT_THAT(outcome.out, HasSubstr(file(name).string() + ": constants only, "));
+  const auto run = [&](const std::string& command, const std::vector<std::string>& rest) {
+    std::vector<std::string> words = {command};
+    words.insert(words.end(), rest.begin(), rest.end());
+    words.insert(words.end(), options.begin(), options.end());
+    return treedyn(words);
+  };
+  ASSERT_EQ(run("generate", {kModel}).status, 0);
+  for (const std::string name : {"calibrated.yaml", "with blanks.yaml",
+                                 "a_name_so_long_that_the_line_"
+                                 "of_the_command_in_the_comment_has_to_be_broken_before_it.yaml"}) {
+    SCOPED_TRACE(name);
+    write_file(scratch(name), model);
+    const Outcome outcome = run("check", {scratch(name)});
+    EXPECT_EQ(outcome.status, 1);
+    for (const char* const part : {"m.hpp", "m.cpp", "m.json"}) {
+      EXPECT_THAT(outcome.out, HasSubstr(file(part).string() + ": constants only, "));
+    }
+    EXPECT_THAT(run("check", {scratch(name), "--functions", "mass_matrix"}).out,
+                HasSubstr(file("m.cpp").string() + ": structure, "));
   }
-  command.insert(command.end(), {"--functions", "mass_matrix"});
-  EXPECT_THAT(treedyn(command).out, HasSubstr(file("m.cpp").string() + ": structure, "));
 }
 
 /// Declarations of 100 columns stand on one line, where they are looked for.

@@ -1,15 +1,11 @@
 // Names, places and signals that somebody else chose.
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -207,23 +203,6 @@ TEST_F(Hostile, HeaderAndSourceOfDifferentRunsDoNotCompile) {
 }
 
 /// Ended at any moment, generate leaves a complete set of files or none, and no temporary ones.
-TEST_F(Hostile, WritersOfOneFolderWaitForEachOther) {
-  fs::create_directory(out());
-  const int folder = open(out().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  ASSERT_EQ(flock(folder, LOCK_EX), 0);
-  std::size_t meanwhile = 1;
-  std::thread other([&] {
-    std::this_thread::sleep_for(std::chrono::seconds(1));
-    meanwhile = files();
-    close(folder);
-  });
-  const Outcome outcome = treedyn({"generate", kModel, "--effort", "0", "-o", out()});
-  other.join();
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(meanwhile, 0U);
-  EXPECT_EQ(files(), 3U);
-}
-
 TEST_F(Hostile, SignalsLeaveNothingHalfWritten) {
   for (int k = 0; k < 25; ++k) {
     fs::remove_all(out());

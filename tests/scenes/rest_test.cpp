@@ -156,7 +156,7 @@ TEST(PhaseStep, ReboundsAndRestsOnWhatIsHeld) {
       ASSERT_EQ(next.status, 0) << "step " << k;
       q = {next.values.at(0), next.values.at(1)};
       qd = {next.values.at(2), next.values.at(3)};
-      phase = {next.values.at(5)};
+      phase = {next.values.at(6)};
       ASSERT_NEAR(qd[0] + qd[1], 0, 1e-12) << "step " << k;
       rests = rests || phase[0] == 1;
     }
