@@ -307,6 +307,15 @@ TEST(Drives, WithoutAValueAreNamed) {
   EXPECT_EQ(run.record(0.01).stopped, "drive of joint 'height' has no value at t = 0 s");
 }
 
+/// The last state that is finite has a value still.
+TEST(Drives, ThatLoseTheirValueAreNamed) {
+  Running run(
+      falling_ball("effects:\n  gravity: [0, 0, -10]\n  drive: [{joint: height, torque: "
+                   "\"sqrt(1/4 - t)\"}]\nduration: 1\n"));
+  EXPECT_EQ(run.record(0.01).stopped,
+            "drive of joint 'height' has no value just behind t = 0.25 s");
+}
+
 TEST(PointSprings, WithoutADirectionAreNamed) {  // the damper's, where the point is at its anchor
   Running run(falling_ball(
       "effects:\n  gravity: [0, 0, -10]\n  point_spring: [{point: ball, anchor: [0, 0, "
