@@ -325,19 +325,22 @@ TEST_P(Refused, WithThePlaceAndTheReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, Refused,
-    testing::Values(
-        Refusal{"J_v * qd + f_b", 9, "does not conform"},
-        Refusal{"T(ones) * tau", 8, "adds N to N m"}, Refusal{"A * qdd + qd", 8, "adds 1/s to N m"},
-        Refusal{"momentum", 0, "there is no symbol 'momentum'"},
-        Refusal{"asked * 2", 0, "uses itself"}, Refusal{"dot(tau)", 0, "is not known"},
-        Refusal{"under(nobody) * qd", 0, "there is no link or joint 'nobody'"},
-        Refusal{"at_point(x)", 0, "there is no point 'x'"},
-        Refusal{"qd / qd", 3, "divides by a block"}, Refusal{"qd / 0", 3, "by zero"},
-        Refusal{"D * ", 4, "ends too early"}, Refusal{"(D * m_d", 0, "expected ')'"},
-        Refusal{"qd ^ 2", 3, "to a power"}, Refusal{"Lam(qd)", 0, "3-vectors"},
-        Refusal{"diagb(D)", 0, "expected a column"}, Refusal{"sin(qd)", 0, "there is no function"},
-        Refusal{"qd qd", 3, "unexpected 'qd'"}, Refusal{"1 + qd", 2, "does not conform"},
-        Refusal{"", 0, "ends too early"}, Refusal{"2 $ qd", 2, "unexpected '$'"}));
+    testing::Values(Refusal{"J_v * qd + f_b", 9, "does not conform"},
+                    Refusal{"T(ones) * tau", 8, "adds N to N m"},
+                    Refusal{"A * qdd + qd", 8, "adds 1/s to N m"},
+                    Refusal{"momentum", 0, "there is no symbol 'momentum'"},
+                    Refusal{"asked * 2", 0, "uses itself"}, Refusal{"dot(tau)", 0, "is not known"},
+                    Refusal{"under(nobody) * qd", 0, "there is no link or joint 'nobody'"},
+                    Refusal{"at_point(x)", 0, "there is no point 'x'"},
+                    Refusal{"qd / qd", 3, "divides by a block"}, Refusal{"qd / 0", 3, "by zero"},
+                    Refusal{"D * ", 4, "ends too early"}, Refusal{"(D * m_d", 0, "expected ')'"},
+                    Refusal{"qd ^ 2", 3, "to a power"}, Refusal{"Lam(qd)", 0, "3-vectors"},
+                    Refusal{"diagb(D)", 0, "expected a column"},
+                    Refusal{"sin(qd)", 0, "takes 'sin' of a block expression"},
+                    Refusal{"exp(qd)", 0, "there is no function"},
+                    Refusal{"qd qd", 3, "unexpected 'qd'"},
+                    Refusal{"1 + qd", 2, "does not conform"}, Refusal{"", 0, "ends too early"},
+                    Refusal{"2 $ qd", 2, "unexpected '$'"}));
 
 TEST(Refused, PowersThatNestTooDeeply) {
   std::string text = "1";
