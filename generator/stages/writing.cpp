@@ -109,8 +109,9 @@ emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit)
   build.contracted = accuracy::cycles(all, core, build) < separate;
   emit::Processor result{
       std::string(core.brief),
-      fmt::format("{}{}-ffp-contract={}", fmt::join(core.options, " "),
-                  core.options.empty() ? "" : " ", build.contracted ? "fast" : "off"),
+      fmt::format("{}{}-ffp-contract={}{}", fmt::join(core.options, " "),
+                  core.options.empty() ? "" : " ", build.contracted ? "fast" : "off",
+                  all.sqrt > 0 ? " -fno-math-errno" : ""),  // else sqrt is a call
       core.in_order,
       {}};
   if (unit.target.lanes > 1 || unit.target.limb_lanes) {

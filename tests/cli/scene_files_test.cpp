@@ -154,6 +154,21 @@ TEST_F(Cli, WarnsOfAnInitialStateThatSimulateRefuses) {
   EXPECT_THAT(warnings("0.5"), Not(HasSubstr("simulate refuses")));
 }
 
+/// Without it the square root is a call of a library on a processor that has it.
+TEST_F(Cli, SaysThatSquareRootsNeedNoErrno) {
+  const auto header = [&](const std::string& torque) {
+    write_file(scratch("s.yaml"), "scene: s\nmodel: " + kModel +
+                                      "\nduration: 1\neffects: {drive: [{joint: elbow, torque: " +
+                                      torque + "}]}\nstepping: {integrator: rk4}\n");
+    const Outcome outcome = treedyn({"generate", "--scene", scratch("s.yaml"), "--scalar", "float",
+                                     "--core", "m4f", "--effort", "0", "-o", out()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_file(file("s.hpp"));
+  };
+  EXPECT_THAT(header("\"sqrt(1 + q[elbow]*q[elbow])\""), HasSubstr(" -fno-math-errno\n"));
+  EXPECT_THAT(header("\"1 + q[elbow]*q[elbow]\""), Not(HasSubstr("-fno-math-errno")));
+}
+
 TEST_F(Cli, SaysWhatTheRowsOfASceneAre) {
   write_file(scratch("s.yaml"), "scene: s\nmodel: " + kModel +
                                     "\nduration: 1\nactuated: []\neffects:\n  point_constraint:\n"
