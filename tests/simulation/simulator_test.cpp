@@ -373,6 +373,31 @@ TEST(Impact, LeavesOnItsRailWhatIsHeldThere) {
   }
 }
 
+/// A four-bar has one freedom: where its loop stays closed all its speeds turn by the restitution.
+TEST(Impact, LeavesClosedWhatIsALoop) {
+  Running running(scene_of(R"yaml(
+scene: loop
+model: four_bar.model.yaml
+points: [{name: nose, link: rocker, at: [0.45, 0, 0]}]
+effects:
+  gravity: [0, 0, -9.81]
+  joined_constraint: [{name: loop, point: coupler_end, other: rocker_end, along: [x, z]}]
+  point_constraint: [{name: floor, point: nose, along: [z]}]
+phases:
+  - name: fall
+    active: [loop]
+    until:
+      - {touch_down: {point: nose, height: 0.25}, impact: {constraints: [floor], restitution: 0.5}, then: fall}
+initial: {q: {crank_joint: 1.669335, coupler_joint: -1.318712, rocker_joint: 1.955453}}
+duration: 0.5
+)yaml"));
+  running.advance_to(0.5);
+  ASSERT_FALSE(running.simulator.events().empty());
+  const EventRecord& impact = running.simulator.events().front();
+  EXPECT_GT(impact.qd_before.cwiseAbs().minCoeff(), 0.1);
+  EXPECT_LT((impact.qd_after + 0.5 * impact.qd_before).norm(), 1e-8 * impact.qd_before.norm());
+}
+
 TEST(Impact, CanBeSwitchedOff) {
   model::Scene scene = scene_of(kBall + "use: {impact: off}\n");
   EXPECT_FALSE(scene.phases.front().until.front().impact.has_value());
