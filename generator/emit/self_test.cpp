@@ -119,8 +119,7 @@ std::string self_test_declaration(const Unit& unit) {
   return "\n/// Calls every function above that takes no scene at two states and compares with\n"
          "/// results of 50 digits.\n///\n"
          "/// \\param[out] place  2, the worst value: number of its output, index there\n"
-         "/// \\param[out] error  1, its error as a part of what is allowed: twice what the "
-         "same\n"
+         "/// \\param[out] error  1, its error as a part of what is allowed: twice what the same\n"
          "///                    operations, half of them a last digit off by chance, lose there,\n"
          "///                    and eight roundings more\n"
          "/// \\return how many values are wrong\n" +

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/index.hpp"
+#include "model/scene_facts.hpp"
 
 namespace treedyn::model {
 
@@ -27,8 +28,7 @@ std::vector<int> renumbered(const std::vector<int>& indices, const std::vector<i
 /// True if all constraints of an impact act before and behind it.
 bool nothing_strikes(const Scene& scene, const Phase& phase, const Event& event) {
   return std::ranges::includes(phase.active, event.impact->constraints) &&
-         std::ranges::includes(scene.phases[to_index(event.then)].active,
-                               event.impact->constraints);
+         struck(scene, event).empty();
 }
 
 void remove_constraints(Scene& scene, ConstraintKind kind) {
