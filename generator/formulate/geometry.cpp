@@ -145,7 +145,11 @@ EulerZxz angles_of(const Matrix3& r) {
   if (sine < kTiny) {  // axes parallel: one turn says all
     return {turn_to(r[0], r[3]), {r[8] > 0 ? 1 : -1, 0}, {}};
   }
-  return {turn_to(-r[5], r[2]), turn_to(r[8], sine), turn_to(r[7], r[6])};
+  const Turn gamma = turn_to(-r[5], r[2]);
+  // of the first row of Rz(-gamma) R: where the axes are nearly parallel, r[7] and r[6] are
+  // rounding
+  const Turn epsilon = turn_to(gamma.c * r[0] + gamma.s * r[3], -(gamma.c * r[1] + gamma.s * r[4]));
+  return {gamma, turn_to(r[8], sine), epsilon};
 }
 
 /// Of a rotation.

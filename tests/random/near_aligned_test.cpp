@@ -12,6 +12,7 @@
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 #include "support/measured.hpp"
+#include "verify/at_states.hpp"
 
 namespace treedyn {
 namespace {
@@ -181,6 +182,7 @@ void expect_accurate(const model::Tree& tree, const formulate::Options& options,
     const program::Function function = formulate::formulated(tree, name, options);
     const program::Function before = plain(tree, name, options);
     EXPECT_LE(function.rounding.amplification, 4) << name;
+    EXPECT_NO_THROW(check_at_states(tree, options.points, options.gravity, {}, {function}));
     for (int state = 0; state < 2; ++state) {
       std::vector<std::vector<float>> inputs;
       for (const program::Array& array : function.signature.inputs) {
@@ -264,9 +266,13 @@ TEST(PublishedRobots, ThatWereWrongKeepTheAccuracyOfTheEquations) {
       options.gravity = kGravity;
       options.effort = 0;
       Random random(1);
-      expect_accurate(description::read_model(entry.path().string(), read), options, random);
+      const model::Tree tree = description::read_model(entry.path().string(), read);
+      expect_accurate(tree, options, random);
       options.without = {formulate::Pass::kSearch};
-      expect_accurate(description::read_model(entry.path().string(), read), options, random);
+      expect_accurate(tree, options, random);
+      options.points.emplace_back().link = tree.size() - 1;
+      const auto rotations = formulate::formulated(tree, "point_rotations", options);
+      EXPECT_NO_THROW(check_at_states(tree, options.points, options.gravity, {}, {rotations}));
     }
   }
 }
