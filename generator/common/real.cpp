@@ -222,10 +222,24 @@ const Real& pi() {
   return value;
 }
 
+namespace {
+
+/// True only if |x| > 2^-bits |of|, by their exponents: most comparisons end here.
+bool is_beyond(const Digits& x, const Digits& of, int bits) {
+  using Backend = Digits::backend_type;
+  const auto of_x = x.backend().exponent();
+  const auto of_other = of.backend().exponent();
+  return of_x <= Backend::max_exponent && of_other <= Backend::max_exponent &&
+         of_x > of_other - bits;
+}
+
+}  // namespace
+
 bool negligible(const Real& value, const Real& scale) {
   return Real::both(value, scale, [](const Digits& x, const Digits& of) {
+    constexpr int kBits = 132;
     static const Digits rounding(1e-40);
-    return x.is_zero() || abs(x) <= abs(of) * rounding;
+    return !is_beyond(x, of, kBits) && (x.is_zero() || abs(x) <= abs(of) * rounding);
   });
 }
 

@@ -1,6 +1,7 @@
 #include "formulate/lowering.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "common/index.hpp"
 
@@ -177,7 +178,7 @@ void Lowering::need(int id, int e) {
     return;
   }
   const Value& v = value(id);
-  for (const int operand : v.op == Op::kFold ? std::vector<int>{} : v.operands) {
+  for (const int operand : v.op == Op::kFold ? std::span<const int>{} : std::span(v.operands)) {
     const bool elsewhere = value(operand).set != v.set || v.op == Op::kFather || v.op == Op::kSons;
     for (int k = 0; elsewhere && stage_[to_index(operand)] < 0 && k < count(value(operand).set);
          ++k) {

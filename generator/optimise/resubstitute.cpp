@@ -85,6 +85,7 @@ class Resubstitution {
   bool replace_equal(int k);
   bool replace_by_pair(int k);
   bool shorten(int k);
+  [[nodiscard]] bool may_pair(int k, int x) const;
   std::optional<Ref> pair_for(int k, int x);
   std::optional<Ref> sum_for(int k, int x, int sign);
   std::optional<Ref> product_for(int k, int x);
@@ -164,7 +165,7 @@ Ref Resubstitution::find_operand(double first, double second, int k) {
 /// The operations that vanish with `k`; marks the items, k first, that only k needs.
 int Resubstitution::exclusive_operations(int k) {
   exclusive_.assign(to_index(network_.size()), false);
-  std::vector<int> left = uses_;
+  std::vector<std::size_t> used;  // and not any more
   std::vector<int> open{k};
   exclusive_[program::node_index(k)] = true;
   int total = 0;
@@ -175,13 +176,18 @@ int Resubstitution::exclusive_operations(int k) {
     const bool counts = kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide;
     total += counts ? network_.item(item).size - 1 : 0;
     for (const Ref operand : network_.operands(item)) {
-      if (operand != 0 && --left[program::node_index(operand)] == 0 &&
-          !network_.operands(operand).empty()) {
-        exclusive_[program::node_index(operand)] = true;
+      if (operand == 0) {
+        continue;
+      }
+      const std::size_t at = program::node_index(operand);
+      used.push_back(at);
+      if (--uses_[at] == 0 && !network_.operands(operand).empty()) {
+        exclusive_[at] = true;
         open.push_back(std::abs(operand));
       }
     }
   }
+  std::ranges::for_each(used, [this](std::size_t at) { ++uses_[at]; });
   return total;
 }
 
@@ -275,6 +281,15 @@ std::optional<Ref> Resubstitution::multiple_for(int k, int x) {
   return append(Kind::kMultiply, {ratio < 0 ? -constant : constant, x}, k);
 }
 
+/// False only if `pair_for` finds nothing: without a branch, since it is asked of all pairs.
+bool Resubstitution::may_pair(int k, int x) const {
+  const auto& a = samples_.fast(k);
+  const auto& b = samples_.fast(x);
+  const bool is_sum = samples_.may_find(a[0] - b[0]) | samples_.may_find(a[0] + b[0]);
+  const bool is_product = samples_.may_find(a[0] / b[0]);
+  return is_sum | is_product | close(a[0] * b[1], a[1] * b[0]);
+}
+
 std::optional<Ref> Resubstitution::pair_for(int k, int x) {
   for (const int sign : {1, -1}) {
     if (const auto sum = sum_for(k, x, sign)) {
@@ -335,7 +350,7 @@ bool Resubstitution::shorten(int k) {
 bool Resubstitution::replace_by_pair(int k) {
   const int known = samples_.known();
   for (int x = 1; x <= known; ++x) {
-    if (x == k || exclusive_[program::node_index(x)] || samples_.is_zero(x)) {
+    if (!may_pair(k, x) || x == k || exclusive_[program::node_index(x)] || samples_.is_zero(x)) {
       continue;  // a zero has no multiples: its sample is rounding
     }
     if (const auto value = pair_for(k, x)) {

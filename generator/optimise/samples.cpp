@@ -7,11 +7,18 @@ SampleTable::SampleTable(const Network& network)
   for (int k = 1; k < network.size(); ++k) {
     append(k);
     table_.push_back({std::abs(fast_.back()[0]), k});
-    present_[bit_of(leading_bits(table_.back().magnitude))] = true;
+    note_magnitude(table_.back().magnitude);
   }
   std::ranges::sort(table_, [](const Entry& a, const Entry& b) {
     return a.magnitude != b.magnitude ? a.magnitude < b.magnitude : a.item < b.item;
   });
+}
+
+/// What is close to it has its leading bits, or those of one of these neighbours.
+void SampleTable::note_magnitude(double magnitude) {
+  for (const double part : {1 - 2 * kTolerance, 1 + 2 * kTolerance}) {
+    present_[bit_of(leading_bits(magnitude * part))] = true;
+  }
 }
 
 Sample SampleTable::evaluate(int k) const {

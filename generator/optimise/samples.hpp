@@ -61,6 +61,10 @@ class SampleTable {
   [[nodiscard]] bool is_zero(Ref a) const { return zero_[program::node_index(a)]; }
   /// The number of items that `find` can find: 1 to this.
   [[nodiscard]] int known() const { return static_cast<int>(table_.size()); }
+  /// False only if `find` finds nothing with this first value: most searches end here.
+  [[nodiscard]] bool may_find(double first) const {
+    return present_[bit_of(leading_bits(std::abs(first)))];
+  }
   /// The first item with the given values or their negatives that passes `accept(item)`, or 0.
   template <class Accept>
   Ref find(double first, double second, Accept accept) const;
@@ -71,14 +75,17 @@ class SampleTable {
     double magnitude = 0;
     int item = 0;
   };
-  /// Magnitudes that share their 22 leading bits, hashed: most searches end here.
+  /// Equal but for rounding in double: by this part of it.
+  static constexpr double kTolerance = 1e-13;
+  /// Magnitudes that share exponent and 22 leading bits, by the last of these bits.
   static constexpr std::size_t kBits = std::size_t{1} << 18U;
   static std::uint64_t leading_bits(double magnitude) {
     return std::bit_cast<std::uint64_t>(magnitude) >> 30U;
   }
   static std::size_t bit_of(std::uint64_t leading) {
-    return static_cast<std::size_t>(leading * 0x9E3779B97F4A7C15ULL >> 46U);
+    return static_cast<std::size_t>(leading) & (kBits - 1);
   }
+  void note_magnitude(double magnitude);
   [[nodiscard]] Sample evaluate(int k) const;
   [[nodiscard]] double error_at(std::size_t point, int k) const;
   [[nodiscard]] bool vanishes(int k) const;
@@ -90,18 +97,17 @@ class SampleTable {
   std::vector<ErrorBounds> errors_;
   std::vector<bool> zero_;
   std::vector<Entry> table_;
-  std::vector<bool> present_;  ///< by `bit_of`: some magnitude in the table has this hash
+  std::vector<bool>
+      present_;  ///< by `bit_of`: a magnitude in the table is close to one that has it
 };
 
 template <class Accept>
 Ref SampleTable::find(double first, double second, Accept accept) const {
-  const double least = std::abs(first) * (1 - 1e-13);
-  const double most = std::abs(first) * (1 + 1e-13);
-  const std::uint64_t leading = leading_bits(least);
-  if (!present_[bit_of(leading)] &&
-      (leading_bits(most) == leading || !present_[bit_of(leading_bits(most))])) {
+  if (!may_find(first)) {
     return 0;
   }
+  const double least = std::abs(first) * (1 - kTolerance);
+  const double most = std::abs(first) * (1 + kTolerance);
   auto it = std::ranges::lower_bound(table_, least, {}, &Entry::magnitude);
   for (; it != table_.end() && it->magnitude <= most; ++it) {
     const auto& known = fast(it->item);
