@@ -237,7 +237,7 @@ bool is_beyond(const Digits& x, const Digits& of, int bits) {
 
 bool negligible(const Real& value, const Real& scale) {
   return Real::both(value, scale, [](const Digits& x, const Digits& of) {
-    constexpr int kBits = 132;
+    constexpr int kBits = 132;  // 2^-132 > 1e-40
     static const Digits rounding(1e-40);
     return !is_beyond(x, of, kBits) && (x.is_zero() || abs(x) <= abs(of) * rounding);
   });

@@ -285,9 +285,11 @@ std::optional<Ref> Resubstitution::multiple_for(int k, int x) {
 bool Resubstitution::may_pair(int k, int x) const {
   const auto& a = samples_.fast(k);
   const auto& b = samples_.fast(x);
-  const bool is_sum = samples_.may_find(a[0] - b[0]) | samples_.may_find(a[0] + b[0]);
-  const bool is_product = samples_.may_find(a[0] / b[0]);
-  return is_sum | is_product | close(a[0] * b[1], a[1] * b[0]);
+  unsigned found = samples_.may_find(a[0] - b[0]);
+  found |= samples_.may_find(a[0] + b[0]);
+  found |= samples_.may_find(a[0] / b[0]);  // infinite or no number by zero: `pair_for` refuses it
+  found |= close(a[0] * b[1], a[1] * b[0]);
+  return found != 0;
 }
 
 std::optional<Ref> Resubstitution::pair_for(int k, int x) {

@@ -35,8 +35,9 @@ inline bool identical(const Sample& a, const Sample& b) {
   return identical(a.first, b.first) && identical(a.second, b.second);
 }
 
-/// Equal but for rounding in double.
-inline bool close(double a, double b) { return std::abs(a - b) <= 1e-13 * std::abs(b); }
+/// Equal but for rounding in double: by this part.
+inline constexpr double kTolerance = 1e-13;
+inline bool close(double a, double b) { return std::abs(a - b) <= kTolerance * std::abs(b); }
 
 /// The samples of all items, and a table to find items by them.
 class SampleTable {
@@ -75,8 +76,6 @@ class SampleTable {
     double magnitude = 0;
     int item = 0;
   };
-  /// Equal but for rounding in double: by this part of it.
-  static constexpr double kTolerance = 1e-13;
   /// Magnitudes that share exponent and 22 leading bits, by the last of these bits.
   static constexpr std::size_t kBits = std::size_t{1} << 18U;
   static std::uint64_t leading_bits(double magnitude) {
@@ -97,8 +96,8 @@ class SampleTable {
   std::vector<ErrorBounds> errors_;
   std::vector<bool> zero_;
   std::vector<Entry> table_;
-  std::vector<bool>
-      present_;  ///< by `bit_of`: a magnitude in the table is close to one that has it
+  /// By `bit_of`: a magnitude in the table is close to one that has it.
+  std::vector<bool> present_;
 };
 
 template <class Accept>
