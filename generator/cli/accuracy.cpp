@@ -80,9 +80,13 @@ void begin_in_band(const AccuracyRequest& request, Subject& subject) {
   }
 }
 
+bool divides(double step, double time) {
+  return std::abs(std::round(time / step) * step - time) <= 1e-9 * time;
+}
+
 /// \throws UsageError if no whole number of steps makes `time`
 void require_part(double step, double time, const std::string& what) {
-  if (std::abs(std::round(time / step) * step - time) > 1e-9 * time) {
+  if (!divides(step, time)) {
     throw UsageError(fmt::format("step {} s does not divide {} s, {}", step, time, what));
   }
 }
@@ -92,6 +96,12 @@ void require_part(double step, double time, const std::string& what) {
 std::vector<double> ladder(const AccuracyRequest& request, double interval, int times) {
   std::vector<double> result = request.steps;
   const double longest = request.rate ? 1 / *request.rate : interval;
+  if (request.steps.empty() && !divides(longest, interval)) {
+    throw UsageError(fmt::format(
+        "--rate {}: its period does not divide {} s, the time between comparisons; expected a "
+        "multiple of {:.6g} Hz",
+        *request.rate, interval, 1 / interval));
+  }
   for (const double part : kLadder) {
     if (request.steps.empty() && part * times * interval / longest <= kMostSteps) {
       result.push_back(longest / part);

@@ -243,6 +243,8 @@ void require_generated_step(const Settings& settings) {
          fmt::format("--integrator: {} is not for generated code; expected {}, or no "
                      "--as-generated",
                      integrator, fmt::join(known, ", ")));
+  refuse(settings.simulation.as_generated && settings.simulation.tolerance,
+         "--tolerance: generated steps have a fixed length; expected --step, or no --as-generated");
 }
 
 /// What the language and the functions have words for.

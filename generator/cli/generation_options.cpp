@@ -101,7 +101,7 @@ void set_functions(Request& request, const std::string& list) {
     const bool may_be_users = !name.empty() && to_identifier(name) == name;
     if (!may_be_users && std::ranges::find(known, name) == known.end()) {
       throw CLI::ValidationError(
-          "--functions", fmt::format("there is no function {}; expected some of {}", shown(name),
+          "--functions", fmt::format("there is no function '{}'; expected some of {}", shown(name),
                                      fmt::join(known, ",")));
     }
     request.functions.push_back(name);

@@ -241,13 +241,15 @@ void add_simulate(CLI::App& app, Settings& settings) {
   command.add_flag("--report", request.report, "NAME.html too: plots and a moving figure");
   CLI::Option* engine =
       command.add_flag("--engine", request.engine, "the generic engine, for comparison");
-  command.add_flag("--compiled", request.compiled, "generated functions, by the C++ compiler")
-      ->excludes(engine);
+  CLI::Option* compiled =
+      command.add_flag("--compiled", request.compiled, "generated functions, by the C++ compiler")
+          ->excludes(engine);
   CLI::Option* generated =
       command
           .add_flag("--as-generated", request.as_generated,
                     "the generated step, by the C++ compiler: what firmware does")
-          ->excludes(engine);
+          ->excludes(engine)
+          ->excludes(compiled);
   command
       .add_option("--scalar", request.scalar,
                   "floating-point type of the generated step; default double")
@@ -273,7 +275,8 @@ void add_simulate(CLI::App& app, Settings& settings) {
                         : drift == "baumgarte" ? model::Drift::kBaumgarte
                                                : model::Drift::kProjection;
       },
-      "what is done about the drift of constraints; default the scene's, or projection");
+      "what is done about the drift of constraints; default the scene's, or projection "
+      "(generated steps: of closed loops only)");
   add_talk(command, settings);
 }
 

@@ -179,7 +179,9 @@ class PhaseReader {
     model::Impact impact{constraints(fields, "constraints"), fields.amount_or("restitution", 0),
                          fields.amount_or("rest_below", 0)};
     if (impact.restitution > 1) {
-      fields.fail(fields.get("restitution").where, "'restitution' is above 1; expected 0 to 1");
+      fields.fail(fields.get("restitution").where,
+                  fmt::format("'restitution' is {}; expected 0 to 1",
+                              impact.restitution.convert_to<double>()));
     }
     if (impact.constraints.empty()) {
       fields.fail(node.where, "has no constraint that acts; expected at least one");

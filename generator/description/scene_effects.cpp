@@ -225,7 +225,9 @@ void SceneEffects::stribeck_friction(const SceneFields& fields) {
   const Real slip_speed = fields.positive("slip_speed");
   if (static_force.plain() < force.plain()) {
     fields.fail(fields.get("static_force").where,
-                "'static_force' is below 'force'; expected at least as much");
+                fmt::format("'static_force' {} is below 'force' {}; expected at least as "
+                            "much",
+                            static_force.convert_to<double>(), force.convert_to<double>()));
   }
   add(model::stribeck_friction(joint, force, static_force, stribeck_speed, slip_speed));
 }
@@ -315,11 +317,9 @@ void SceneEffects::ground_contact(const SceneFields& fields) {
     contact.stiffness = fields.positive("stiffness");
     contact.exponent = fields.fixed().number_or("exponent", 1);
     contact.dissipation = fields.amount_or("dissipation", 0);
-    if (contact.exponent < 1) {
-      fields.fail(fields.get("exponent").where, "'exponent' is below 1; expected 1 or more");
-    }
-    if (contact.exponent > 100) {  // whole powers are written as products
-      fields.fail(fields.get("exponent").where, "'exponent' is above 100; expected 1 to 100");
+    if (contact.exponent < 1 || contact.exponent > 100) {  // whole powers are written as products
+      fields.fail(fields.get("exponent").where, fmt::format("'exponent' is {}; expected 1 to 100",
+                                                            contact.exponent.convert_to<double>()));
     }
   }
   contact.friction = fields.amount_or("friction", 0);

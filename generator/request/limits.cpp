@@ -1,6 +1,6 @@
 #include "request/limits.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -50,20 +50,50 @@ void require_size(const model::Tree& tree, const std::vector<model::Point>& poin
           kMostPointJoints);
 }
 
+namespace {
+
+/// The size of the model that is farthest from one, in decades.
+class Extreme {
+ public:
+  void consider(const Real& size, const Location& where, const std::string& what,
+                const char* unit) {
+    const double number = abs(size).convert_to<double>();
+    const double decades = std::abs(std::log10(number));
+    if (number > 0 && decades > decades_) {
+      decades_ = decades;
+      where_ = where;
+      text_ = fmt::format("{} {:.6g}{}", what, number, unit);
+    }
+  }
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(where_, fmt::format("{}: {}", text_, what));
+  }
+
+ private:
+  double decades_ = -1;
+  Location where_;
+  std::string text_;
+};
+
+Real length(const model::Vector3& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+}  // namespace
+
 void refuse_decades(const model::Tree& tree, const std::string& what) {
-  const auto distance = [](const model::Link& link) {
-    const model::Vector3& com = link.inertia.com;
-    return sqrt(com[0] * com[0] + com[1] * com[1] + com[2] * com[2]);
-  };
-  const model::Link& heaviest =
-      *std::ranges::max_element(tree.links, {}, [&](const model::Link& link) {
-        const model::Matrix3& I = link.inertia.about_com;
-        return link.inertia.mass * distance(link) * distance(link) + I[0] + I[4] + I[8];
-      });
-  throw InputError(heaviest.where,
-                   fmt::format("link '{}', {:.6g} kg, centre of mass {:.6g} m from its joint: {}",
-                               shown(heaviest.name), heaviest.inertia.mass.convert_to<double>(),
-                               distance(heaviest).convert_to<double>(), what));
+  Extreme extreme;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const model::Link& link = tree.links[i];
+    const model::Inertia& inertia = link.inertia;
+    const std::string name = fmt::format("link '{}': ", shown(link.name));
+    const std::string joint = fmt::format("joint '{}': ", shown(link.joint.name));
+    const model::Matrix3& I = inertia.about_com;
+    extreme.consider(inertia.mass, link.where, name + "mass", " kg");
+    extreme.consider(length(inertia.com), link.where, name + "centre of mass at", " m");
+    extreme.consider(I[0] + I[4] + I[8], link.where, name + "inertia of trace", " kg m^2");
+    extreme.consider(length(link.joint.offset), link.joint.where, joint + "origin at", " m");
+    extreme.consider(tree.drives[i].multiplier, link.joint.where, joint + "multiplier", "");
+  }
+  extreme.refuse(what);
 }
 
 }  // namespace treedyn

@@ -15,7 +15,7 @@ void require_size(const model::Tree& tree, const std::vector<model::Point>& poin
                   const Location& where);
 
 /// Numbers of the model are too many decades apart for `what`.
-/// \throws InputError naming the link with the largest inertia, of which they most likely are
+/// \throws InputError naming the mass, length, inertia or multiplier that is farthest from 1
 [[noreturn]] void refuse_decades(const model::Tree& tree, const std::string& what);
 
 }  // namespace treedyn

@@ -184,7 +184,7 @@ UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& w
         names.push_back(function->equation.name);
       }
       const std::vector<std::string_view> known_names(names.begin(), names.end());
-      throw UsageError(fmt::format("--functions: there is no function {}{}; expected some of {}",
+      throw UsageError(fmt::format("--functions: there is no function '{}'{}; expected some of {}",
                                    shown(name), did_you_mean(name, known_names),
                                    fmt::join(names, ",")));
     }

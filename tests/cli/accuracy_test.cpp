@@ -669,7 +669,8 @@ TEST_F(Accuracy, KeepsToThePeriodOfAController) {
   EXPECT_THAT(chosen.out, HasSubstr(" in each period of 100 Hz\n"));
   expect_usage_error(with("0.02,0.01"), "step 0.02 s does not divide 0.01 s, the period of 100 Hz");
   expect_usage_error(treedyn({"accuracy", kPendulum, "--rate", "7"}),
-                     "does not divide 0.2 s, the time between comparisons");
+                     "--rate 7: its period does not divide 0.2 s, the time between comparisons; "
+                     "expected a multiple of 5 Hz");
   expect_usage_error(treedyn({"accuracy", kPendulum, "--rate", "1e5"}), "expected a lower rate");
 }
 

@@ -118,7 +118,7 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
   }
   expect_usage_error(
       treedyn({"generate", kModel, "--equations", kMomentum, "--functions", "mixed", "-o", out()}),
-      "there is no function mixed");
+      "there is no function 'mixed'");
   write_file(equations, "equations:\n  - {name: mass_matrix, value: A}\n");
   EXPECT_THAT(treedyn({"generate", kModel, "--equations", equations, "-o", out()}).err,
               HasSubstr("taken"));

@@ -209,9 +209,14 @@ TEST_F(Cli, RefusesNumbersThatLeaveNoDigitOfAResult) {
         treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()});
     EXPECT_EQ(refused.status, 1);
     EXPECT_THAT(refused.err,
-                HasSubstr("far.urdf:1:38: link 'a', 1 kg, centre of mass " + distance));
+                HasSubstr("far.urdf:1:38: link 'a': centre of mass at " + distance + " m: "));
     EXPECT_THAT(refused.err, HasSubstr("of fewer decades"));
   }
+  std::string far_joint = far_body("0.1");
+  far_joint.replace(far_joint.find("0.5 0.1"), 3, "1e200");
+  write_file(scratch("far.urdf"), far_joint);
+  EXPECT_THAT(treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()}).err,
+              HasSubstr("joint 'k': origin at 1e+200 m: "));
   write_file(scratch("far.urdf"), far_body("1e10"));
   EXPECT_EQ(treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()}).status, 0);
 }

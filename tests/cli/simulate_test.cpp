@@ -230,15 +230,17 @@ TEST_F(Simulate, TakesItsOptionsBeforeTheScene) {
 }
 
 TEST_F(Simulate, AnswersWrongUsageWith2AndWrongScenesWith1) {
-  for (const std::vector<std::string>& words :
-       std::vector<std::vector<std::string>>{{},
-                                             {scene("pendulum"), "--integrator", "euler"},
-                                             {scene("pendulum"), "--step", "-1"},
-                                             {scene("pendulum"), "--tolerance", "small"},
-                                             {scene("pendulum"), "--drift", "some"},
-                                             {scene("pendulum"), "--report"},
-                                             {scene("pendulum"), "--engine", "--compiled"},
-                                             {scene("pendulum"), "--speed", "3"}}) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {},
+           {scene("pendulum"), "--integrator", "euler"},
+           {scene("pendulum"), "--step", "-1"},
+           {scene("pendulum"), "--tolerance", "small"},
+           {scene("pendulum"), "--drift", "some"},
+           {scene("pendulum"), "--report"},
+           {scene("pendulum"), "--engine", "--compiled"},
+           {scene("pendulum"), "--as-generated", "--compiled"},
+           {scene("pendulum"), "--as-generated", "--integrator", "rk4", "--tolerance", "1e-3"},
+           {scene("pendulum"), "--speed", "3"}}) {
     const Outcome outcome = treedyn(words);
     EXPECT_EQ(outcome.status, 2) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
