@@ -96,7 +96,8 @@ struct RawParameter {
   Text value;
 };
 
-/// What is known at run time only: "mass", "com" or "inertia" of a link, or "gravity".
+/// What is known at run time only: "mass", "com", "inertia" or "offset" of a link, "at" of a point,
+/// a component of one ("com.x"), or "gravity".
 struct RawRuntime {
   Text owner;  ///< a link or a point; empty: none
   Text quantity;

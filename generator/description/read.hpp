@@ -26,7 +26,8 @@ struct ReadOptions {
   Base base = Base::kFixed;
   Mimic mimic = Mimic::kReduce;
   Real snap = Real("1e-9");  ///< tolerance of snapping, rad; 0 switches it off
-  /// Known at run time: LINK.mass, LINK.com, LINK.inertia, gravity.
+  /// Known at run time: LINK.mass, LINK.com, LINK.inertia, LINK.offset, POINT.at, components of
+  /// them, gravity.
   std::vector<std::string> runtime = {};
 };
 

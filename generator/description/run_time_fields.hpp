@@ -9,8 +9,8 @@
 
 namespace treedyn::description {
 
-/// Fills `tree.parameters`: those of the file, then those of `list` (LINK.mass, LINK.com,
-/// LINK.inertia, gravity). \pre links and frames of the tree are complete
+/// Fills `tree.parameters`: those of the file, then those of `list`
+/// (ReadOptions::runtime). \pre links and frames of the tree are complete
 /// \throws InputError for an unknown quantity, a link that is unknown or does not move, what is
 /// declared twice, and fields whose identifiers are equal
 void resolve_parameters(const RawTree& raw, const std::vector<std::string>& list,

@@ -11,8 +11,8 @@
 
 namespace treedyn::description {
 
-/// Reads and checks a scene: in YAML (README.md), or in the format hard-case/1 (JSON).
-/// \throws InputError with file, line and column at the first mistake.
+/// Reads and checks a scene: in YAML (models/scenes/README.md), or in the format hard-case/1
+/// (JSON). \throws InputError with file, line and column at the first mistake.
 model::Scene read_scene(const std::string& path);
 
 /// Path to text; \throws InputError.

@@ -1,4 +1,4 @@
-// Scene files in YAML, README.md "Scenes".
+// Scene files in YAML, models/scenes/README.md.
 #pragma once
 
 #include <string>

@@ -15,9 +15,9 @@ namespace treedyn::emit {
 struct Vocabulary;
 
 /// Names like `link3_I2`: the first link of those whose masses (else whose places) the number is
-/// made of, what it is by its unit (m, l, h, I; k: none; p: another one), a count in order of use.
-/// They follow from structure alone. Numbers of the equations have none, nor have those whose
-/// sources are not known (common/provenance.hpp).
+/// made of, what it is by its unit (m, l, h, I, g, w, G; k: none; p: another one), a count in order
+/// of use. They follow from structure alone. Numbers of the equations have none, nor have those
+/// whose sources are not known (common/provenance.hpp).
 class ConstantNames {
  public:
   /// \param functions  in the order of the text

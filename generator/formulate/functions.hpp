@@ -32,7 +32,7 @@ struct Freedom {
   bool any_way = false;       ///< vectors occur that may stand in other frames
   Way way = Way::kToRoot;     ///< where they stand without a search
   bool open_way = false;      ///< a search without moves tries all, too: none is known to be best
-  bool fixed_frames = false;  ///< results refer to the model\'s own link origins: no slide
+  bool fixed_frames = false;  ///< results refer to the model's own link origins: no slide
   bool fixed_length = false;  ///< points occur: the metre stays the unit of length
   bool own_code = false;      ///< limbs share none
 };

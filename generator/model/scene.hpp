@@ -108,7 +108,8 @@ struct Armature {
 
 /// Velocities jump such that the rows of `constraints` move with -restitution times their speed.
 struct Impact {
-  std::vector<int> constraints;  ///< those that strike, and all that act before and behind it
+  std::vector<int> constraints;  ///< those that strike; of a scene in YAML also all that act before
+                                 ///< and behind it
   Real restitution = 0;
   Real rest_below = 0;  ///< m/s; a slower rebound is rest: the rows become active
 };
