@@ -192,8 +192,14 @@ class Resolver {
     const Placement on = father == model::kGround ? Placement{} : placements_[to_index(father)];
     Placement frame = joint_frames_[to_index(link)];
     frame.origin = on.origin + on.rotation * frame.origin;
-    frame.rotation =
-        on.rotation == identity() ? frame.rotation : tidied(on.rotation * frame.rotation);
+    if (on.rotation != identity()) {
+      const RawJoint& of = raw_.joints[to_index(joint)];
+      frame.rotation = frame.rotation == identity()
+                           ? on.rotation
+                           : snapper_.composed(
+                                 on.rotation * frame.rotation, of.where,
+                                 fmt::format("joint '{}': composed rotation", shown(of.name.text)));
+    }
     frame.carrier = on.carrier;
     moving_father_[to_index(link)] = on.carrier;
     joint_frames_[to_index(link)] = frame;

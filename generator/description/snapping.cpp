@@ -80,6 +80,13 @@ Real tidied_entry(const Real& entry) {
   return abs(entry - exact.value) <= rounding_limit() ? exact.value : entry;
 }
 
+/// Entries that differ from 0, +-1/2, +-sqrt(2)/2 .. +-1 by rounding at 50 digits made exact.
+Matrix3 tidied(const Matrix3& rotation) {
+  Matrix3 result;
+  std::ranges::transform(rotation, result.begin(), tidied_entry);
+  return result;
+}
+
 /// The rotation next to M in the sense of least squares: Newton's iteration M <- (M + M^-T)/2 for
 /// the polar factor (Higham: Functions of Matrices, 8.3). \pre M is regular and close to a
 /// rotation.
@@ -221,6 +228,14 @@ Matrix3 Snapper::from_matrix(const Matrix3& matrix, const Numbers& written,
   return snap_entries(matrix, written, what, nearest_rotation);
 }
 
+Matrix3 Snapper::composed(const Matrix3& product, const Place& where, const std::string& what) {
+  Numbers entries{{}, where};
+  for (const Real& entry : product) {
+    entries.values.push_back({fmt::format("{:.17g}", entry.convert_to<double>()), where});
+  }
+  return snap_entries(product, entries, what, nearest_rotation);
+}
+
 Vector3 Snapper::unit_axis(const Vector3& axis, const Numbers& written, const std::string& what) {
   const Real length = norm(axis);
   if (length == 0) {
@@ -232,12 +247,6 @@ Vector3 Snapper::unit_axis(const Vector3& axis, const Numbers& written, const st
     return Real(1 / norm(v)) * v;
   };
   return snap_entries(normalised(axis), written, what, normalised);
-}
-
-Matrix3 tidied(const Matrix3& rotation) {
-  Matrix3 result;
-  std::ranges::transform(rotation, result.begin(), tidied_entry);
-  return result;
 }
 
 }  // namespace treedyn::description

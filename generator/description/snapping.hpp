@@ -32,6 +32,8 @@ class Snapper {
   Matrix3 from_rpy(const Vector3& rpy, const Numbers& written, const std::string& what);
   /// The rotation next to a matrix. \throws InputError if an entry is farther than 1e-9 from it.
   Matrix3 from_matrix(const Matrix3& matrix, const Numbers& written, const std::string& what);
+  /// A product of rotations: that of a joint behind fixed ones, which stands at `where`.
+  Matrix3 composed(const Matrix3& product, const Place& where, const std::string& what);
   /// The unit vector along `axis`. \throws InputError if it has no length.
   Vector3 unit_axis(const Vector3& axis, const Numbers& written, const std::string& what);
 
@@ -53,8 +55,5 @@ class Snapper {
   Real tolerance_;
   SnapLog log_;
 };
-
-/// Entries that differ from 0, +-1/2, +-sqrt(2)/2 .. +-1 by rounding at 50 digits made exact.
-Matrix3 tidied(const Matrix3& rotation);
 
 }  // namespace treedyn::description

@@ -92,6 +92,22 @@ TEST(Snapping, NeedsNoToleranceForExactExpressions) {
   expect_orthonormal(r);
 }
 
+/// As CAD programs export them: a mounting that turns the frame, and a joint that turns it back.
+TEST(Snapping, MakesRotationsExactThatFixedJointsCompose) {
+  const std::string text =
+      "name: m\nlinks:\n"
+      "- {name: mount, father: ground, joint: {type: fixed, rotation: {rpy: [0, 0, 0.3]}}}\n"
+      "- {name: a, father: mount, joint: {name: j, type: revolute, axis: [1, 0, 0], rotation: "
+      "{rpy: [0, 0, 1.2707963267948966]}}, mass: 1}\n";
+  const model::Tree tree = yaml(text);
+  EXPECT_EQ(rotation(tree), (Matrix3{0, -1, 0, 1, 0, 0, 0, 0, 1}));
+  ASSERT_THAT(tree.snaps, SizeIs(4));  // entries 0, 1, 3, 4
+  EXPECT_EQ(tree.snaps[0].what, "joint 'j': composed rotation[0]");
+  EXPECT_EQ(tree.snaps[0].to, "0");
+  EXPECT_EQ(tree.snaps[0].where.line, 4);
+  EXPECT_NE(rotation(yaml(text, options("0")))[0], Real(0));
+}
+
 TEST(Rotation, AppliesRollThenPitchThenYaw) {
   // R = Rz(y) Ry(p) Rx(r), r = pi/2, y = pi/2: x -> y, y -> z, z -> x
   EXPECT_EQ(rotation(with_rpy("1.5707963267949 0 1.5707963267949")),
