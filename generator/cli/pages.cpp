@@ -41,7 +41,7 @@ std::string choices_of(const CLI::Option& option) {
   return type;
 }
 
-/// "-o, --output DIR"
+/// "-o, --output DIR", "--effort N=2000"
 std::string words_of(const CLI::Option& option) {
   std::string words = option.get_positional() ? option.get_name(true) : "";
   for (const std::string& name : option.get_snames()) {
@@ -52,7 +52,8 @@ std::string words_of(const CLI::Option& option) {
   }
   const std::string type =
       option.get_positional() && choices_of(option).empty() ? "" : option.get_type_name();
-  return type.empty() ? words : words + " " + type;
+  const std::string value = option.get_default_str();
+  return words + (type.empty() ? "" : " " + type) + (value.empty() ? "" : "=" + value);
 }
 
 std::string names_of(const CLI::Option& option, const char* between) {

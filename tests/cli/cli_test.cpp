@@ -538,6 +538,7 @@ TEST_F(Cli, PagesComeFromTheHelp) {
   EXPECT_THAT(man, HasSubstr(".SS \\&treedyn accuracy\n"));
   EXPECT_THAT(man, HasSubstr(".B \\&\\-\\-language c++|c99\n"));
   EXPECT_THAT(man, HasSubstr(".B \\&WHAT functions|effects|integrators\n"));
+  EXPECT_THAT(man, HasSubstr("lanes 1|2|4|8|16=1\n"));
   const std::string script = treedyn({"pages", "bash"}).out;
   const Outcome complete = support::run(
       {"bash", "-c",
