@@ -7,6 +7,7 @@
 
 #include "common/decimal.hpp"
 #include "common/index.hpp"
+#include "description/vectors.hpp"
 
 namespace treedyn {
 
@@ -75,8 +76,6 @@ class Extreme {
   std::string text_;
 };
 
-Real length(const model::Vector3& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-
 }  // namespace
 
 void refuse_decades(const model::Tree& tree, const std::string& what) {
@@ -88,9 +87,10 @@ void refuse_decades(const model::Tree& tree, const std::string& what) {
     const std::string joint = fmt::format("joint '{}': ", shown(link.joint.name));
     const model::Matrix3& I = inertia.about_com;
     extreme.consider(inertia.mass, link.where, name + "mass", " kg");
-    extreme.consider(length(inertia.com), link.where, name + "centre of mass at", " m");
+    extreme.consider(description::norm(inertia.com), link.where, name + "centre of mass at", " m");
     extreme.consider(I[0] + I[4] + I[8], link.where, name + "inertia of trace", " kg m^2");
-    extreme.consider(length(link.joint.offset), link.joint.where, joint + "origin at", " m");
+    extreme.consider(description::norm(link.joint.offset), link.joint.where, joint + "origin at",
+                     " m");
     extreme.consider(tree.drives[i].multiplier, link.joint.where, joint + "multiplier", "");
   }
   extreme.refuse(what);

@@ -255,7 +255,7 @@ TEST(NearAlignedLimbs, KeepTheAccuracyOfTheEquations) {
 
 INSTANTIATE_TEST_SUITE_P(Random, NearAligned, testing::Range(0, 10));
 
-TEST(PublishedRobots, ThatWereWrongKeepTheAccuracyOfTheEquations) {
+TEST(ModelsThatWereWrong, KeepTheAccuracyOfTheEquations) {
   for (const auto& entry :
        std::filesystem::directory_iterator(TREEDYN_SOURCE_DIR "/tests/data/near_aligned")) {
     for (const char* snap : {"1e-9", "0"}) {
