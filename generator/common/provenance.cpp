@@ -91,7 +91,7 @@ class Sources {
   static constexpr int kNone = -1;
 
   [[nodiscard]] int find(const Real& number) const {
-    if (by_number_.empty() || number.digits() == number.seen()) {
+    if (by_number_.empty() || !number.has_stand_in()) {
       return kNone;
     }
     const auto found = by_number_.find(magnitude(number));
@@ -128,7 +128,7 @@ class Sources {
     const std::size_t first_new = robot_.size();
     robot_ = own;
     for (std::size_t k = first_new; k < numbers.size(); ++k) {
-      if (numbers[k].first.digits() != numbers[k].first.seen()) {
+      if (numbers[k].first.has_stand_in()) {
         add_variable(magnitude(numbers[k].first), numbers[k].second, like);
       }
     }
@@ -141,11 +141,11 @@ class Sources {
   }
   /// The first way to a number counts; a number of a search alone has no digits of the robot.
   [[nodiscard]] bool would_note(const Real& number) const {
-    return number.digits() != number.seen() && !by_number_.contains(magnitude(number));
+    return number.has_stand_in() && !by_number_.contains(magnitude(number));
   }
   void note(const Real& number, int a, double rate_a, int b, double rate_b,
             const Dimension& dimension) {
-    if ((a == kNone && b == kNone) || number.digits() == number.seen()) {
+    if ((a == kNone && b == kNone) || !number.has_stand_in()) {
       return;
     }
     const auto [place, is_new] = by_number_.try_emplace(magnitude(number), kNone);

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <boost/math/constants/constants.hpp>
+#include <climits>
+#include <cmath>
 #include <functional>
 #include <unordered_map>
 #include <utility>
@@ -13,15 +15,8 @@ namespace treedyn {
 
 namespace {
 
-bool is_made_of_robot(const Real& result) { return result.digits() != result.seen(); }
-
-void note_source(RecipeKind kind, const Real& a, const Real& b, const Real& result) {
-  if (is_made_of_robot(result)) {
-    note_result(kind, a, b, result);
-  }
-}
 void note_source(RecipeKind kind, const Real& of, const Real& result) {
-  if (is_made_of_robot(result)) {
+  if (result.has_stand_in()) {
     note_result(kind, of, result);
   }
 }
@@ -57,14 +52,14 @@ Digits remembered(const Digits& x, Function function) {
 
 /// Of functions that have numbers without unit.
 Real ratio(const Real& x, const Real& result) {
-  if (is_made_of_robot(result)) {
+  if (result.has_stand_in()) {
     note_ratio({&x, 1}, result);
   }
   return result;
 }
 
 Real ratio(const Real& y, const Real& x, const Real& result) {
-  if (is_made_of_robot(result)) {
+  if (result.has_stand_in()) {
     note_ratio(std::array{y, x}, result);
   }
   return result;
@@ -106,29 +101,33 @@ std::string Real::str(std::streamsize digits, std::ios_base::fmtflags flags) con
 Real Real::operator-() const {
   return {-value_, -seen_, differs_, recipe_ == 0 ? 0 : negative_recipe(recipe_)};
 }
-Real operator+(const Real& a, const Real& b) {
-  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x + y); });
-  result.recipe_ = recipe_of(RecipeKind::kAdd, a, b);
-  note_source(RecipeKind::kAdd, a, b, result);
+template <class Operation>
+Real Real::made(RecipeKind kind, const Real& a, const Real& b, Operation operation) {
+  Real result = map(a, b, operation);
+  if (a.recipe_ != 0 || b.recipe_ != 0) {
+    result.recipe_ = recipe_of(kind, a, b);
+  }
+  if (result.differs_) {
+    note_result(kind, a, b, result);
+  }
   return result;
+}
+
+Real operator+(const Real& a, const Real& b) {
+  return Real::made(RecipeKind::kAdd, a, b,
+                    [](const Digits& x, const Digits& y) { return Digits(x + y); });
 }
 Real operator-(const Real& a, const Real& b) {
-  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x - y); });
-  result.recipe_ = recipe_of(RecipeKind::kSubtract, a, b);
-  note_source(RecipeKind::kSubtract, a, b, result);
-  return result;
+  return Real::made(RecipeKind::kSubtract, a, b,
+                    [](const Digits& x, const Digits& y) { return Digits(x - y); });
 }
 Real operator*(const Real& a, const Real& b) {
-  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x * y); });
-  result.recipe_ = recipe_of(RecipeKind::kMultiply, a, b);
-  note_source(RecipeKind::kMultiply, a, b, result);
-  return result;
+  return Real::made(RecipeKind::kMultiply, a, b,
+                    [](const Digits& x, const Digits& y) { return Digits(x * y); });
 }
 Real operator/(const Real& a, const Real& b) {
-  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x / y); });
-  result.recipe_ = recipe_of(RecipeKind::kDivide, a, b);
-  note_source(RecipeKind::kDivide, a, b, result);
-  return result;
+  return Real::made(RecipeKind::kDivide, a, b,
+                    [](const Digits& x, const Digits& y) { return Digits(x / y); });
 }
 
 bool operator==(const Real& a, const Real& b) {
@@ -215,6 +214,22 @@ Real larger(const Real& a, const Real& b) {
     const Digits q = abs(y);
     return p < q ? q : p;
   });
+}
+
+double nearly(const Digits& x) {
+  using Backend = Digits::backend_type;
+  constexpr int kLimb = 64;
+  static_assert(sizeof(boost::multiprecision::limb_type) * CHAR_BIT == kLimb);
+  if (x.backend().exponent() > Backend::max_exponent) {
+    return x.convert_to<double>();  // zero, infinite, none
+  }
+  const auto& bits = x.backend().bits();
+  const auto* const limbs = bits.limbs() + bits.size() - 1;
+  const double leading = static_cast<double>(limbs[0]) * 0x1p64 + static_cast<double>(limbs[-1]);
+  const double magnitude = std::ldexp(leading, static_cast<int>(x.backend().exponent()) + 1 -
+                                                   static_cast<int>(Backend::bit_count) +
+                                                   kLimb * (static_cast<int>(bits.size()) - 2));
+  return x.sign() < 0 ? -magnitude : magnitude;
 }
 
 const Real& pi() {

@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <compare>
 #include <concepts>
+#include <cstdint>
 #include <ios>
 #include <limits>
 #include <string>
@@ -16,6 +17,7 @@ using Digits = boost::multiprecision::number<boost::multiprecision::cpp_bin_floa
                                              boost::multiprecision::et_off>;
 
 class Real;
+enum class RecipeKind : std::uint8_t;
 
 }  // namespace treedyn
 
@@ -70,6 +72,8 @@ class Real {
   [[nodiscard]] Real plain() const { return value_; }
   /// What decisions look at.
   [[nodiscard]] const Digits& seen() const { return differs_ ? seen_ : value_; }
+  /// True if that is another number.
+  [[nodiscard]] bool has_stand_in() const { return differs_; }
   /// The number of its recipe; 0: the same number at run time.
   [[nodiscard]] int recipe() const { return recipe_; }
 
@@ -139,6 +143,9 @@ class Real {
   [[nodiscard]] std::partial_ordering compared_with_zero() const;
   Real(const Digits& value, const Digits& seen, bool differs, int recipe = 0)
       : value_(value), seen_(seen), differs_(differs), recipe_(recipe) {}
+  /// a operation b, with its recipe and source.
+  template <class Operation>
+  static Real made(RecipeKind kind, const Real& a, const Real& b, Operation operation);
   static Real from(long double value);
   static Real from(long long value);
   static Real from(unsigned long long value);
@@ -165,6 +172,10 @@ Real pow(const Real& x, const Real& y);
 Real ldexp(const Real& x, int exponent);
 long lround(const Real& x);
 bool isfinite(const Real& x);
+
+/// x, whose last bit may be wrong: for tables that are asked often, as the conversion that rounds
+/// costs many times as much.
+double nearly(const Digits& x);
 
 /// The larger magnitude, of the numbers and of their stand-ins.
 Real larger(const Real& a, const Real& b);

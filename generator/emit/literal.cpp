@@ -53,7 +53,7 @@ int literal_width(const Real& value, Scalar scalar) {
                         : scalar == Scalar::kDouble ? kLongestDouble
                                                     : kLongestExtended)
                            .size();
-  const bool of_structure = value.digits() == value.seen();
+  const bool of_structure = !value.has_stand_in();
   return static_cast<int>(of_structure ? literal(value, scalar).size() : longest);
 }
 

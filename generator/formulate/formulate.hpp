@@ -19,7 +19,6 @@ struct Options {
   model::Vector3 gravity{};          ///< m/s^2, base frame
   std::vector<model::Point> points;  ///< in the order of the generated arrays
   int effort = 2000;                 ///< moves of the variant search per function; 0: none
-  int seed = 0;                      ///< of the algebraic search that follows
   ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
   std::vector<Pass> without;            ///< passes that are switched off
   const model::Scene* scene = nullptr;  ///< of scene functions

@@ -44,8 +44,8 @@ Options without(Options options, const std::vector<Pass>& passes) {
 
 class Gate {
  public:
-  Gate(const model::Tree& tree, const Recipe& recipe, const Options& options, Formulate function)
-      : tree_(tree), recipe_(recipe), options_(options), formulate_(function) {
+  Gate(const model::Tree& tree, const Recipe& recipe, const Options& options, Search search)
+      : tree_(tree), recipe_(recipe), options_(options), search_(search) {
     const ForwardDynamics method = options.forward_dynamics;
     const bool two = recipe.freedom.articulated;
     if (!two || method != ForwardDynamics::kArticulated) {
@@ -68,14 +68,15 @@ class Gate {
   void note_plain(bool articulated);
   /// Against the formulation that the function may have come from.
   [[nodiscard]] double amplification(const program::Function& function) const;
-  [[nodiscard]] program::Function formulate(const std::vector<Pass>& left_out, int effort,
-                                            int seed = 0) const;
+  [[nodiscard]] program::Function noted(program::Function function,
+                                        const std::vector<Pass>& left_out) const;
+  [[nodiscard]] program::Function formulate(const std::vector<Pass>& left_out, int effort) const;
   [[nodiscard]] program::Function without_culprits() const;
 
   const model::Tree& tree_;
   const Recipe& recipe_;
   const Options& options_;
-  Formulate formulate_;
+  Search search_;
   std::vector<program::Function> before_;
 };
 
@@ -101,11 +102,8 @@ double Gate::amplification(const program::Function& function) const {
   return least;
 }
 
-program::Function Gate::formulate(const std::vector<Pass>& left_out, int effort, int seed) const {
-  Options options = without(options_, left_out);
-  options.effort = effort;
-  options.seed = seed;
-  program::Function function = formulate_(tree_, recipe_, options);
+/// With the record of its rounding.
+program::Function Gate::noted(program::Function function, const std::vector<Pass>& left_out) const {
   function.rounding.amplification = amplification(function);
   for (const PassInfo& info : passes()) {
     if (std::ranges::find(left_out, info.pass) != left_out.end()) {
@@ -113,6 +111,12 @@ program::Function Gate::formulate(const std::vector<Pass>& left_out, int effort,
     }
   }
   return function;
+}
+
+program::Function Gate::formulate(const std::vector<Pass>& left_out, int effort) const {
+  Options options = without(options_, left_out);
+  options.effort = effort;
+  return noted(search_(tree_, recipe_, options)(0), left_out);
 }
 
 bool is_accurate(const program::Function& function) {
@@ -146,14 +150,15 @@ program::Function Gate::without_culprits() const {
 }
 
 program::Function Gate::run() const {
-  program::Function function = formulate({}, options_.effort);
+  const Writer write = search_(tree_, recipe_, options_);
+  program::Function function = noted(write(0), {});
   const double refused = function.rounding.amplification;
   const int seeds = refused <= kNearly * kMostAmplification && options_.effort > 0 &&
                             options_.has(Pass::kSearch) && options_.has(Pass::kAlgebra)
                         ? kSeeds
                         : 1;
   for (int seed = 1; seed < seeds && !is_accurate(function); ++seed) {
-    function = formulate({}, options_.effort, seed);
+    function = noted(write(seed), {});
   }
   if (is_accurate(function)) {
     return function;
@@ -166,8 +171,8 @@ program::Function Gate::run() const {
 }  // namespace
 
 program::Function held_to_rounding(const model::Tree& tree, const Recipe& recipe,
-                                   const Options& options, Formulate formulate) {
-  return Gate(tree, recipe, options, formulate).run();
+                                   const Options& options, Search search) {
+  return Gate(tree, recipe, options, search).run();
 }
 
 bool holds(const program::Function& function, const model::Tree& tree, const Recipe& recipe,

@@ -10,14 +10,15 @@ namespace {
 
 const Real kTiny("1e-40");
 
-bool is_tiny(const Real& x) {
-  return Real::both(x, x,
-                    [](const Digits& value, const Digits&) { return abs(value) < kTiny.digits(); });
+bool is_close(const Real& x, int exact) {
+  return Real::both(x, x, [exact](const Digits& value, const Digits&) {
+    return abs(value - exact) < kTiny.digits();
+  });
 }
 
 Real cleaned(const Real& x) {
   for (const int exact : {0, 1, -1}) {
-    if (is_tiny(x - exact)) {
+    if (is_close(x, exact)) {
       return exact;
     }
   }
@@ -28,6 +29,9 @@ Turn cleaned(const Turn& turn) { return {cleaned(turn.c), cleaned(turn.s)}; }
 
 /// Zero where the numbers cancel but for rounding, which would be a constant of the code else.
 Real sum_or_zero(const Real& a, const Real& b) {
+  if (a.recipe() == 0 && b.recipe() == 0 && (a == 0 || b == 0)) {
+    return a != 0 ? a : b != 0 ? b : Real(0);
+  }
   const Real total = a + b;
   return negligible(total, larger(a, b)) ? Real(0) : total;
 }
@@ -169,7 +173,8 @@ EulerZxz euler_zxz(const Matrix3& r) {
   std::ranges::transform(r, own.begin(), [](const Real& x) { return x.plain(); });
   std::ranges::transform(r, seen.begin(), [](const Real& x) { return Real(x.seen()); });
   const EulerZxz angles = angles_of(own);
-  const EulerZxz stand_ins = angles_of(seen);
+  const bool differ = std::ranges::any_of(r, [](const Real& x) { return x.has_stand_in(); });
+  const EulerZxz stand_ins = differ ? angles_of(seen) : angles;
   return {seen_as(angles.gamma, stand_ins.gamma, r), seen_as(angles.alpha, stand_ins.alpha, r),
           seen_as(angles.epsilon, stand_ins.epsilon, r)};
 }

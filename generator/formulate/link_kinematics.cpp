@@ -277,57 +277,66 @@ Kinematics Kinematics::from_trunk(const Vec3& omega) const {
   return k;
 }
 
-Kinematics::Body Kinematics::body(int i) const {
-  return rotated_body(i, [](const NormalLink& l) { return l.pseudo; });
+std::vector<PlaneRotation> Kinematics::turn_of_frame(int i) const {
+  std::vector<PlaneRotation> steps;
+  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
+  return steps;
 }
 
-Kinematics::Body Kinematics::body_with_inertia_tensor(int i) const {
-  return rotated_body(i, [](const NormalLink& l) {
+Vec3 Kinematics::in_frame(int i, Vec3 v) const {
+  for (const PlaneRotation& step : turn_of_frame(i)) {
+    v = step.forward(v);
+  }
+  return v;
+}
+
+Mat3 Kinematics::in_frame_symmetric(int i, Mat3 m) const {
+  for (const PlaneRotation& step : turn_of_frame(i)) {
+    m = step.forward_symmetric(m);
+  }
+  return m;
+}
+
+const Kinematics::Body& Kinematics::body(int i) const {
+  return written(i, bodies_, [](const NormalLink& l) { return l.pseudo; });
+}
+
+const Kinematics::Body& Kinematics::body_with_inertia_tensor(int i) const {
+  return written(i, bodies_with_inertia_tensor_, [](const NormalLink& l) {
     const Matrix3& e = l.pseudo;
     return Real(e[0] + e[4] + e[8]) * identity() - e;
   });
 }
 
-Kinematics::Body Kinematics::rotated_body(int i, Matrix3 (*tensor)(const NormalLink&)) const {
-  Body body;
-  body.mass = own(i, of_peers(i, [this](int peer) { return link(peer).mass; }));
-  body.moment = own_vector(i, &NormalLink::moment);
-  body.pseudo = own_matrix(i, tensor);
-  std::vector<PlaneRotation> steps;
-  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
-  for (const PlaneRotation& step : steps) {
-    body.moment = step.forward(body.moment);
-    body.pseudo = step.forward_symmetric(body.pseudo);
+const Kinematics::Body& Kinematics::written(int i, Bodies& bodies,
+                                            Matrix3 (*tensor)(const NormalLink&)) const {
+  const auto [place, is_new] = bodies.try_emplace(i);
+  Body& body = place->second;
+  if (is_new) {
+    body.mass = own(i, of_peers(i, [this](int peer) { return link(peer).mass; }));
+    body.moment = own_vector(i, &NormalLink::moment);
+    body.pseudo = own_matrix(i, tensor);
+    for (const PlaneRotation& step : turn_of_frame(i)) {
+      body.moment = step.forward(body.moment);
+      body.pseudo = step.forward_symmetric(body.pseudo);
+    }
   }
   return body;
 }
 
 Vec3 Kinematics::point(int i, const Vector3& at) const {
   const NormalLink& l = link(i);
-  Vec3 v = constant(graph_, Real(1 / normal_.unit) * multiply(l.to_normal, at - l.origin));
-  std::vector<PlaneRotation> steps;
-  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
-  for (const PlaneRotation& step : steps) {
-    v = step.forward(v);
-  }
-  return v;
+  return in_frame(i,
+                  constant(graph_, Real(1 / normal_.unit) * multiply(l.to_normal, at - l.origin)));
 }
 
 Mat3 Kinematics::tensor_of(int i, const Matrix3& of_model) const {
-  Mat3 m = constant(graph_, congruence(link(i).to_normal, of_model));
-  std::vector<PlaneRotation> steps;
-  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
-  for (const PlaneRotation& step : steps) {
-    m = step.forward_symmetric(m);
-  }
-  return m;
+  return in_frame_symmetric(i, constant(graph_, congruence(link(i).to_normal, of_model)));
 }
 
 Mat3 Kinematics::orientation(int i) const {
   Mat3 m = own_matrix(i, [](const NormalLink& l) { return l.to_normal; });
-  std::vector<PlaneRotation> steps;
-  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
-  for (const PlaneRotation& step : steps) {
+  for (const PlaneRotation& step : turn_of_frame(i)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 v = step.forward(column(m, k));
       m[0][k] = v[0];

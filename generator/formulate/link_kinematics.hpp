@@ -1,6 +1,7 @@
 // Expression frames: the frames in which the recursions of EQUATIONS.md 7 are written down.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "common/transformed.hpp"
@@ -124,9 +125,9 @@ class Kinematics {
     Vec3 moment;
     Mat3 pseudo;
   };
-  [[nodiscard]] Body body(int i) const;
+  [[nodiscard]] const Body& body(int i) const;
   /// The same with the inertia tensor tr(E) - E in place of the pseudo-inertia E.
-  [[nodiscard]] Body body_with_inertia_tensor(int i) const;
+  [[nodiscard]] const Body& body_with_inertia_tensor(int i) const;
   /// A point or direction given in the model's frame of link i, in the link's expression frame.
   [[nodiscard]] Vec3 point(int i, const Vector3& at) const;
   /// A symmetric tensor given in the model's frame of link i, in the link's expression frame.
@@ -138,7 +139,13 @@ class Kinematics {
   void find_runs();
   void place_frames();
   void place_link(int i);
-  [[nodiscard]] Body rotated_body(int i, Matrix3 (*tensor)(const NormalLink&)) const;
+  /// Links written so far.
+  using Bodies = std::map<int, Body>;
+  const Body& written(int i, Bodies& bodies, Matrix3 (*tensor)(const NormalLink&)) const;
+  /// Vectors and symmetric tensors of the normal frame of link i in its expression frame.
+  [[nodiscard]] Vec3 in_frame(int i, Vec3 v) const;
+  [[nodiscard]] Mat3 in_frame_symmetric(int i, Mat3 m) const;
+  [[nodiscard]] std::vector<PlaneRotation> turn_of_frame(int i) const;
   [[nodiscard]] Angle joint_angle(int i) const;
   /// The number of link i, given those of its peers: a leaf where they are not all the same.
   [[nodiscard]] Expr own(int i, const std::vector<Real>& values) const;
@@ -185,6 +192,8 @@ class Kinematics {
   std::vector<Angle> run_angle_;    ///< the turn that the frame of a run carries, at its head
   std::vector<Vec3> offset_;
   std::vector<Vec3> joint_offset_;
+  mutable Bodies bodies_;
+  mutable Bodies bodies_with_inertia_tensor_;
   std::vector<std::vector<PlaneRotation>> rotations_;
   bool is_from_trunk_ = false;
   Vec3 ground_turning_;

@@ -1,6 +1,8 @@
 #include "formulate/search.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "common/parallel.hpp"
@@ -28,21 +30,47 @@ constexpr int kFarBehind = 15;
 /// reader.
 constexpr int kWorthAUnit = 2;
 
-/// What a search has found, in another unit of length than the metre only if it pays.
-program::Function found(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                        VariantSearch& search) {
-  if (search.best().unit_length == 0) {
-    return search.result();
+/// The search among the variants of one method, and beside it one in metres where units of length
+/// are open.
+class MethodSearch {
+ public:
+  MethodSearch(const model::Tree& tree, const Recipe& recipe, const Options& options,
+               const Variant& start)
+      : tree_(tree),
+        recipe_(recipe),
+        options_(options),
+        metres_(options),
+        search_(tree_, recipe_, options_, start) {
+    metres_.metres = true;
   }
-  Options metres = options;
-  metres.metres = true;
-  Variant plain_start = search.best();
-  plain_start.unit_length = 0;
-  VariantSearch in_metres(tree, recipe, metres, plain_start);
-  in_metres.run();
-  search.try_units_of_length(in_metres.best());
-  program::Function function = search.result();
-  program::Function plain = in_metres.result();
+
+  void run() { search_.run(); }
+  [[nodiscard]] int best_cost() const { return search_.best_cost(); }
+  /// What `run` has found, in another unit of length than the metre only if it pays.
+  [[nodiscard]] program::Function result(int seed);
+
+ private:
+  const model::Tree& tree_;
+  const Recipe& recipe_;
+  const Options options_;
+  Options metres_;
+  VariantSearch search_;
+  std::optional<VariantSearch> in_metres_;
+};
+
+program::Function MethodSearch::result(int seed) {
+  if (search_.best().unit_length == 0) {
+    return search_.result(seed);
+  }
+  if (!in_metres_) {
+    Variant start = search_.best();
+    start.unit_length = 0;
+    in_metres_.emplace(tree_, recipe_, metres_, start);
+    in_metres_->run();
+    search_.try_units_of_length(in_metres_->best());
+  }
+  program::Function function = search_.result(seed);
+  program::Function plain = in_metres_->result(seed);
   if (function.outputs.empty() || plain.outputs.empty()) {
     return function;
   }
@@ -61,40 +89,24 @@ bool loses(const program::Function& taken, const program::Function& left) {
   return error > kLost && program::float_error(left) < error / kBetter;
 }
 
-program::Function searched_from(const model::Tree& tree, const Recipe& recipe,
-                                const Options& options, const Variant& start) {
-  VariantSearch search(tree, recipe, options, start);
-  search.run();
-  return found(tree, recipe, options, search);
-}
-
-/// The cheaper of two methods, the second only if it saves `kWorthwhile` percent in a scene; the
-/// other one where float can do with that alone. What is far behind is not written for nothing.
-program::Function cheaper(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                          VariantSearch& first, VariantSearch& second) {
-  run_all({[&] { first.run(); },
-           [&] {
-             second.run();
-           }});
-  const auto of = [&](VariantSearch& search) {
-    return found(tree, recipe, options, search);
-  };
-  const int least = options.scene != nullptr ? kWorthwhile : 0;
-  const auto is_far_ahead = [](const VariantSearch& a, const VariantSearch& b, int percent) {
+/// The cheaper of two methods, the second only if it saves `least` percent; the other one where
+/// float can do with that alone. What is far behind is not written for nothing.
+program::Function cheaper(MethodSearch& first, MethodSearch& second, int least, int seed) {
+  const auto is_far_ahead = [](const MethodSearch& a, const MethodSearch& b, int percent) {
     return (100 + percent) * a.best_cost() < 100 * b.best_cost();
   };
   const bool second_leads = is_far_ahead(second, first, kFarBehind + least);
   std::vector<program::Function> both;
   if (second_leads || is_far_ahead(first, second, kFarBehind)) {
-    both.push_back(of(second_leads ? second : first));
+    both.push_back((second_leads ? second : first).result(seed));
     if (program::float_error(both.front()) <= kLost) {
       return both.front();
     }
-    both.push_back(of(second_leads ? first : second));
+    both.push_back((second_leads ? first : second).result(seed));
   } else {
-    both = results_of<program::Function>({[&] { return of(first); },
+    both = results_of<program::Function>({[&] { return first.result(seed); },
                                           [&] {
-                                            return of(second);
+                                            return second.result(seed);
                                           }});
     const int limit = (100 - least) * weight(program::cost(both.front()));
     if (100 * weight(program::cost(both.back())) < limit) {
@@ -106,38 +118,61 @@ program::Function cheaper(const model::Tree& tree, const Recipe& recipe, const O
 
 /// The cheapest of the methods that `options` leave open. Of long chains A is not searched: it has
 /// N^2 entries.
-program::Function best_method(const model::Tree& tree, const Recipe& recipe,
-                              const Options& options) {
+Writer best_method(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  const auto search = [&](const Variant& start) {
+    return std::make_shared<MethodSearch>(tree, recipe, options, start);
+  };
+  const auto alone = [&](const Variant& start) -> Writer {
+    const auto only = search(start);
+    only->run();
+    return [only](int seed) {
+      return only->result(seed);
+    };
+  };
   Variant factor = plain_variant(tree);
   switch_off(options.without, factor);
   factor.way = recipe.freedom.way;
   Variant articulated = factor;
   articulated.articulated = true;
   if (!recipe.freedom.articulated || options.forward_dynamics == ForwardDynamics::kFactor) {
-    return searched_from(tree, recipe, options, factor);
+    return alone(factor);
   }
   const auto plain_cost = [&](const Variant& start) {
     return weight(program::cost(build(tree, recipe, options, start)));
   };
   if (options.forward_dynamics == ForwardDynamics::kArticulated ||
       plain_cost(factor) > kHopeless * plain_cost(articulated)) {
-    return searched_from(tree, recipe, options, articulated);
+    return alone(articulated);
   }
-  VariantSearch first(tree, recipe, options, factor);
-  VariantSearch second(tree, recipe, options, articulated);
-  return cheaper(tree, recipe, options, first, second);
+  const auto first = search(factor);
+  const auto second = search(articulated);
+  run_all({[&] { first->run(); },
+           [&] {
+             second->run();
+           }});
+  const int least = options.scene != nullptr ? kWorthwhile : 0;
+  return [first, second, least](int seed) {
+    return cheaper(*first, *second, least, seed);
+  };
 }
 
-program::Function searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {
-  if (options.share_limbs && !recipe.freedom.own_code && !find_limbs(tree).empty()) {
-    program::Function shared = best_method(tree, recipe, options);
-    if (shared.limb_code) {
-      return shared;
-    }
-  }
+Writer searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {
   Options plain = options;
   plain.share_limbs = false;
-  return best_method(tree, recipe, plain);
+  if (!options.share_limbs || recipe.freedom.own_code || find_limbs(tree).empty()) {
+    return best_method(tree, recipe, plain);
+  }
+  return [shared = best_method(tree, recipe, options), alone = Writer(), plain, &tree,
+          &recipe](int seed) mutable {
+    program::Function function = shared(seed);
+    if (function.limb_code) {
+      return function;
+    }
+    if (!alone) {
+      alone = best_method(tree, recipe, plain);
+    }
+    return alone(seed);
+  };
 }
 
 }  // namespace

@@ -209,9 +209,9 @@ void VariantSearch::try_ways(Candidate& best) {
 }
 
 /// Moves of the algebraic local search, fewer for large functions; none without a search.
-optimise::Effort VariantSearch::algebra_effort(const program::Function& function) const {
+optimise::Effort VariantSearch::algebra_effort(const program::Function& function, int seed) const {
   optimise::Effort effort;
-  effort.seed = options_.seed;
+  effort.seed = seed;
   if (options_.has(Pass::kSearch)) {
     const std::int64_t operations = std::max(program::cost(function).total(), kReferenceOperations);
     effort.moves = static_cast<int>(std::int64_t{kAlgebraMoves} * options_.effort *
@@ -261,12 +261,12 @@ void VariantSearch::try_units_of_length(Variant other) {
   }
 }
 
-program::Function VariantSearch::result() const {
+program::Function VariantSearch::result(int seed) const {
   Built built = Formulations(tree_, recipe_, options_).build(best_.variant);
   program::Function& function = built.function;
   std::optional<optimise::Effort> effort;
   if (options_.has(Pass::kAlgebra)) {
-    effort = algebra_effort(function);
+    effort = algebra_effort(function, seed);
   }
   if (!options_.share_limbs) {
     program::Function result =

@@ -44,9 +44,9 @@ class VariantSearch {
   /// What `run` has chosen, and what it costs before all algebraic passes have run.
   [[nodiscard]] const Variant& best() const { return best_.variant; }
   [[nodiscard]] int best_cost() const { return best_.cost; }
-  /// The best variant after the algebraic passes; with `share_limbs` empty if nothing can be
-  /// shared.
-  [[nodiscard]] program::Function result() const;
+  /// The best variant after the algebraic passes, whose search starts from `seed`; with
+  /// `share_limbs` empty if nothing can be shared.
+  [[nodiscard]] program::Function result(int seed) const;
   /// The variant of another search in that unit of length in which it costs least, if that is less
   /// than `run` has found, is the best one then.
   void try_units_of_length(Variant other);
@@ -54,7 +54,7 @@ class VariantSearch {
  private:
   using Cache = std::map<Variant, int>;
 
-  [[nodiscard]] optimise::Effort algebra_effort(const program::Function& function) const;
+  [[nodiscard]] optimise::Effort algebra_effort(const program::Function& function, int seed) const;
   void note(const Variant& variant, int cost);
   /// False if its unit of length is none: a length that is seen as one and is zero.
   [[nodiscard]] bool is_usable(const Variant& variant) const {

@@ -65,7 +65,7 @@ Ref Graph::constant(const Real& value) {
     return 0;
   }
   const Real magnitude = abs(value);
-  const auto key = static_cast<double>(magnitude.seen());
+  const double key = nearly(magnitude.seen());
   for (auto it = constant_table_.lower_bound(key * (1 - 1e-14));
        it != constant_table_.end() && it->first <= key * (1 + 1e-14); ++it) {
     const Real& known = constants_[static_cast<std::size_t>(node(it->second).a)];

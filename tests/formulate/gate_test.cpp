@@ -18,13 +18,14 @@ void cancel(program::Function& function, double factor) {
 }
 
 /// The plain formulation, cancelled with the pass `algebra`.
-program::Function cancelling(const model::Tree& tree, const Recipe& recipe,
-                             const Options& options) {
-  program::Function function = build(tree, recipe, options, plain_variant(tree));
-  if (options.has(Pass::kAlgebra)) {
-    cancel(function, 1e12);
-  }
-  return function;
+Writer cancelling(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  return [&](int /*seed*/) {
+    program::Function function = build(tree, recipe, options, plain_variant(tree));
+    if (options.has(Pass::kAlgebra)) {
+      cancel(function, 1e12);
+    }
+    return function;
+  };
 }
 
 TEST(Gate, LeavesOutThePassThatAmplifiesRounding) {
@@ -38,12 +39,14 @@ TEST(Gate, LeavesOutThePassThatAmplifiesRounding) {
 
 /// The same by `g_lost`, with the first seed of the algebraic search alone.
 double g_lost = 0;
-program::Function unlucky(const model::Tree& tree, const Recipe& recipe, const Options& options) {
-  program::Function function = build(tree, recipe, options, plain_variant(tree));
-  if (options.seed == 0 && options.has(Pass::kAlgebra)) {
-    cancel(function, g_lost);
-  }
-  return function;
+Writer unlucky(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  return [&](int seed) {
+    program::Function function = build(tree, recipe, options, plain_variant(tree));
+    if (seed == 0 && options.has(Pass::kAlgebra)) {
+      cancel(function, g_lost);
+    }
+    return function;
+  };
 }
 
 TEST(Gate, TriesOtherSeedsWhereLittleIsLost) {
