@@ -109,6 +109,13 @@ void check(const SimulateRequest& request, const model::Scene& scene) {
   const std::vector<std::string> fixed = model::step_method_names();
   const Real most = request.most_steps.value_or(Real(simulation::Settings{}.most_steps));
   const bool is_fixed = std::ranges::find(fixed, scene.stepping.integrator) != fixed.end();
+  if (is_fixed && request.tolerance) {
+    throw InputError(
+        {"--tolerance", 0, 0},
+        fmt::format("{} takes steps of one length; expected an adaptive integrator, or "
+                    "--step",
+                    scene.stepping.integrator));
+  }
   if (is_fixed && scene.duration > most * scene.stepping.step) {
     throw InputError({request.scene, 0, 0},
                      fmt::format("{:.3g} s are more than {:.3g} steps of {:.3g} s; expected longer "

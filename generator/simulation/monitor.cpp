@@ -68,19 +68,14 @@ Monitor::Monitor(const model::Scene& scene, const Bounds& bounds)
   }
 }
 
-double Monitor::scale_of(const model::Constraint& constraint) const {
-  return model::is_angular(scene_.tree, constraint) ? 1 : size_;
-}
-
 Monitor::Row Monitor::row(const Constraints& constraints, int k) const {
   const auto c = to_index(constraints.constraint(k));
-  return {first_[c] + constraints.number(k), scale_of(scene_.constraints[c])};
+  const bool is_angular = model::is_angular(scene_.tree, scene_.constraints[c]);
+  return {first_[c] + constraints.number(k), is_angular ? 1 : size_, is_angular};
 }
 
 /// A warning once a kind and name; later ones only if they are worse.
 void Monitor::note(Notice notice) {
-  notice.worst = notice.value;
-  notice.worst_time = notice.time;
   const auto same = std::ranges::find_if(
       notices_, [&](const Notice& n) { return n.kind == notice.kind && n.name == notice.name; });
   if (same == notices_.end()) {
@@ -103,9 +98,9 @@ void Monitor::row_equations(const System& system, double t, double h) {
     if (!(lacks > bounds_.residual_warning * (terms + row.scale))) {
       continue;
     }
-    const char* const unit = row.scale == size_ ? "m/s^2" : "1/s^2";
-    note({"residual", names_[row.name], t, lacks, bounds_.residual_warning * (terms + row.scale), 0,
-          0, unit,
+    const char* const unit = row.is_angular ? "1/s^2" : "m/s^2";
+    note({"residual", names_[row.name], t, lacks, bounds_.residual_warning * (terms + row.scale),
+          unit,
           fmt::format("constraint '{}' lacks {:.3g} {} of its acceleration at t = {:.6g} s: no "
                       "motion meets all rows that act",
                       names_[row.name], lacks, unit, t)});
@@ -132,7 +127,7 @@ void Monitor::positions(System& system, double t, const Vector& q) {
       continue;
     }
     const std::string& name = names_[row(system.constraints(), k).name];
-    note({"position", name, t, here.row(k).norm(), kLostRow * there.row(k).norm(), 0, 0, "",
+    note({"position", name, t, here.row(k).norm(), kLostRow * there.row(k).norm(), "",
           fmt::format("constraint '{}' acts at t = {:.6g} s in a position in which no joint moves "
                       "it: its row of J is {:.2g}, nearby {:.2g}",
                       name, t, here.row(k).norm(), there.row(k).norm())});
@@ -156,8 +151,8 @@ void Monitor::speeds(System& system, double t, const Vector& q, const Vector& qd
     if (!system.constraints().is_held(k) || !(off > bound)) {
       continue;
     }
-    const char* const unit = row.scale == size_ ? "m/s" : "1/s";
-    note({"speed", names_[row.name], t, off, bound, 0, 0, unit,
+    const char* const unit = row.is_angular ? "1/s" : "m/s";
+    note({"speed", names_[row.name], t, off, bound, unit,
           fmt::format(
               "constraint '{}' {} at t = {:.6g} s at a speed of {:.3g} {} that no impact has taken",
               names_[row.name], is_new ? "begins to act" : "acts on", t, off, unit)});
@@ -174,8 +169,8 @@ void Monitor::pull(const System& system, double t, const Vector& qd) {
     if (!(off > bound)) {
       continue;
     }
-    const char* const unit = row.scale == size_ ? "m/s" : "1/s";
-    note({"pull", names_[row.name], t, off, bound, 0, 0, unit,
+    const char* const unit = row.is_angular ? "1/s" : "m/s";
+    note({"pull", names_[row.name], t, off, bound, unit,
           fmt::format("constraint '{}' pulls the motion by {:.3g} {} in no time at t = {:.6g} s: "
                       "what leads it jumps, or steps are too long",
                       names_[row.name], off, unit, t)});
@@ -191,7 +186,7 @@ void Monitor::turn(const Constraints& constraints, const Turn& turn, double t, d
     return;
   }
   const std::string& name = names_[row(constraints, turn.row).name];
-  note({"branch", name, t, turned_, bounds_.turn_warning, 0, 0, "rad",
+  note({"branch", name, t, turned_, bounds_.turn_warning, "rad",
         fmt::format("constraint '{}' is near a position in which it moves no joint and turns the "
                     "motion at t = {:.6g} s, {:.2g} rad so far, by errors of position and velocity "
                     "that turn its own direction by {:.2g} rad",
@@ -218,11 +213,8 @@ void Monitor::drift(System& system, double t, const Vector& q) {
     if (!(off > bounds_.drift_warning * row.scale)) {
       continue;
     }
-    const char* const unit =
-        model::is_angular(scene_.tree, scene_.constraints[to_index(constraints.constraint(k))])
-            ? "rad"
-            : "m";
-    note({"drift", names_[row.name], t, off, bounds_.drift_warning * row.scale, 0, 0, unit,
+    const char* const unit = row.is_angular ? "rad" : "m";
+    note({"drift", names_[row.name], t, off, bounds_.drift_warning * row.scale, unit,
           fmt::format("constraint '{}' acts and is {:.3g} {} off at t = {:.6g} s (bound {:.2g})",
                       names_[row.name], off, unit, t, bounds_.drift_warning * row.scale)});
     if (off > bounds_.drift_end * row.scale) {
@@ -293,7 +285,7 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
     return;
   }
   note({"energy", part > 0 ? "gained" : "lost", t, std::fabs(unexplained_),
-        bounds_.energy_warning * scale, 0, 0, "J",
+        bounds_.energy_warning * scale, "J",
         fmt::format("energy {}: by {:.3g} J in all up to t = {:.6g} s, beside {:.3g} J {}",
                     part > 0 ? "grows without power" : "is lost to no force",
                     std::fabs(unexplained_), t, scale, name)});
@@ -305,7 +297,7 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
 }
 
 void Monitor::guard(const std::string& event, double t, bool may_end) {
-  note({"guard", event, t, 0, 0, 0, 0, "",
+  note({"guard", event, t, 0, 0, "",
         fmt::format("event '{}' has a guard that is not a number at t = {:.6g} s", event, t)});
   if (may_end) {
     throw std::runtime_error(

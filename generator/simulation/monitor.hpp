@@ -42,10 +42,10 @@ struct Notice {
   double time = 0;   ///< s, when it was first beyond its bound
   double value = 0;  ///< then
   double bound = 0;
-  double worst = 0;
-  double worst_time = 0;
   std::string unit;  ///< of the values
   std::string text;  ///< one sentence on the first time
+  double worst = value;
+  double worst_time = time;
 };
 
 /// One line: the text, and the worst if it is another.
@@ -115,9 +115,9 @@ class Monitor {
   struct Row {
     std::size_t name;
     double scale;  ///< the size of the robot for lengths, 1 for angles
+    bool is_angular;
   };
   [[nodiscard]] Row row(const Constraints& constraints, int k) const;
-  [[nodiscard]] double scale_of(const model::Constraint& constraint) const;
   void measure(System& system, const Vector& q);
 
   const model::Scene& scene_;

@@ -176,7 +176,7 @@ void Simulator::note_below(const Watch& watch, double t, const Vector& y) {
   const double depth = -watch.value(system_, t, y);
   if (depth > kOnPlane && (t <= start_ || watch.slope(system_, y) < -kAtRest)) {
     const std::string& name = scene_.points[static_cast<std::size_t>(watch.point)].name;
-    monitor_.note({"below", name, t, depth, kOnPlane, 0, 0, "m",
+    monitor_.note({"below", name, t, depth, kOnPlane, "m",
                    fmt::format("at t = {:.6g} s point '{}' is {:.3g} m below the plane of its "
                                "touch_down, which waits until it has been above; a generated step "
                                "may let it touch down before",
@@ -411,7 +411,7 @@ Stability Simulator::stability(Dynamics& dynamics) {
       continue;
     }
     monitor_.note(
-        {"step", limit.integrator, t_, settings_.step, *limit.step, 0, 0, "s",
+        {"step", limit.integrator, t_, settings_.step, *limit.step, "s",
          fmt::format(
              "a step of {:.4g} s is beyond the stability limit of {}, {:.3g} s at t = {:.6g} "
              "s with contacts closed; a stable step is {:.2g} s",

@@ -1,6 +1,8 @@
 #include "stages/in_scalar.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -25,6 +27,13 @@ void for_each_function(const program::Programs& programs, Check check) {
 
 /// What float may lose of the largest result at some ordinary state before there is a warning.
 constexpr double kFloatLoses = 1e-2;
+
+/// What the rounding of K in float does to the solution of K x = b, as a part of it: that of an
+/// entry, over the smallest pivot of ordinary states.
+double error_of_rows(const program::RowSolve& solve) {
+  constexpr double kRounding = std::numeric_limits<float>::epsilon() / 2;
+  return solve.least > 0 ? solve.rows * kRounding / solve.least : 0;
+}
 
 }  // namespace
 
@@ -60,8 +69,23 @@ std::vector<Warning> float_warnings(const program::Programs& programs, emit::Sca
                                   : "has no result")});
     }
   };
-  if (scalar == emit::Scalar::kFloat) {
-    for_each_function(programs, check);
+  if (scalar != emit::Scalar::kFloat) {
+    return result;
+  }
+  for_each_function(programs, check);
+  for (const program::Staged& staged : programs.staged) {
+    for (const program::RowSolve& solve : staged.solves) {
+      const double error = error_of_rows(solve);
+      if (error > kFloatLoses) {
+        result.push_back(
+            {where,
+             fmt::format("function '{}': in float the forces of constraints are off by {:.1g} "
+                         "of their size or rows are lost (status rank_lost), as a row depends "
+                         "on the others but for {:.1g} of its own size; expected double, or "
+                         "masses and points that tell the rows apart",
+                         staged.signature.name, std::min(error, 1.0), solve.least)});
+      }
+    }
   }
   return result;
 }

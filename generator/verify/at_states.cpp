@@ -103,10 +103,7 @@ Numbers interpreted(const program::Function& function, const std::vector<Values>
 /// decades apart: no digit would be left in double
 void compare(const std::string& name, const Numbers& ours, const Values& engines,
              const Real& largest_inertia) {
-  Real largest = 0;
-  for (const Real& value : engines) {
-    largest = std::max(largest, Real(abs(value)));
-  }
+  const Real largest = treedyn::largest(engines);
   const Real tolerance = largest * Real("1e-35") + Real("1e-40");
   const Real no_digit = largest * Real("1e-17");
   const Real dropped = largest_inertia * (1 + largest);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 
@@ -22,19 +23,7 @@ namespace treedyn {
 namespace {
 
 Real dot(const Values& a, const Values& b) {
-  Real sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    sum += a[k] * b[k];
-  }
-  return sum;
-}
-
-Real largest(const Values& values) {
-  Real result = 0;
-  for (const Real& x : values) {
-    result = std::max(result, Real(abs(x)));
-  }
-  return result;
+  return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
 }
 
 /// What arguments are filled with.
@@ -158,10 +147,8 @@ void check_plain(const model::Scene& scene, const program::Function& function,
   const Values at_rest(state.at("q").size());
   const bool bias = state.has("qd");
   const SceneEquations equations(scene, state.at("q"), bias ? state.at("qd") : at_rest, 0);
-  std::vector<int> all;
-  for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
-    all.push_back(static_cast<int>(c));
-  }
+  std::vector<int> all(scene.constraints.size());
+  std::iota(all.begin(), all.end(), 0);
   const std::vector<SceneEquations::Row> rows = equations.rows(all);
   Values residual;
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -240,11 +227,7 @@ Values inverse_weights(const SceneEquations& equations,
   return K;
 }
 
-/// The largest part of an error, of J A^-1 J^T relative to its largest entry, that rows which
-/// depend on each other but for kDependent leave: for such a combination e of them |J^T e| is at
-/// most r kDependent |e| of the longest row, and e^T K e at most |J^T e|^2 times the trace of A^-1.
-Real dependent_part(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
-                    const Real& most) {
+Real trace_of_inverse(const SceneEquations& equations) {
   const std::size_t n = equations.inertia().size();
   Real trace = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -252,12 +235,32 @@ Real dependent_part(const SceneEquations& equations, const std::vector<SceneEqua
     unit[i] = 1;
     trace += solved(equations.inertia(), unit).x[i];
   }
+  return trace;
+}
+
+/// The largest part of an error, of J A^-1 J^T relative to its largest entry, that rows which
+/// depend on each other but for kDependent leave: for such a combination e of them |J^T e| is at
+/// most r kDependent |e| of the longest row, and e^T K e at most |J^T e|^2 times the trace of A^-1.
+Real dependent_part(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
+                    const Real& most) {
   Real longest = 0;
   for (const SceneEquations::Row& row : rows) {
     longest = std::max(longest, dot(row.J, row.J));
   }
   const Real part = Real(program::kDependent) * static_cast<int>(rows.size());
-  return part * part * longest * trace / most;
+  return part * part * longest * trace_of_inverse(equations) / most;
+}
+
+/// The largest acceleration of a row by errors of this size in the equation of motion:
+/// |J A^-1 e| <= sqrt(tr(J A^-1 J^T) tr(A^-1)) |e|.
+Real acceleration_by(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
+                     const Real& size) {
+  Real trace = 0;
+  for (const SceneEquations::Row& row : rows) {
+    trace += dot(row.J, solved(equations.inertia(), row.J).x);
+  }
+  const auto n = static_cast<int>(equations.inertia().size());
+  return sqrt(n * trace * trace_of_inverse(equations)) * size;
 }
 
 /// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
@@ -317,8 +320,8 @@ void check_impact(const model::Scene& scene, const program::Staged& staged, Stat
   const Real of_inertia = least_pivot(equations);
   const std::string& name = staged.signature.name;
   require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
-  require_small(name, "row", reachable_error(staged, equations, rows, error.left), error.sizes,
-                of_inertia * least);
+  require_small(name, "row", reachable_error(staged, equations, rows, error.left),
+                error.sizes + acceleration_by(equations, rows, motion.sizes), of_inertia * least);
 }
 
 /// What rows want.
@@ -334,6 +337,16 @@ Values forces_of(const program::Staged& staged, const SceneEquations& equations)
     force[to_index(joint)] += own;
   }
   return force;
+}
+
+/// B + G - tau - force.
+void add_forces(const SceneEquations& equations, const Values& tau, const Values& force,
+                Residual& motion) {
+  for (std::size_t i = 0; i < motion.left.size(); ++i) {
+    for (const Real& term : {equations.bias()[i], Real(-tau[i]), Real(-force[i])}) {
+      motion.add(i, term);
+    }
+  }
 }
 
 /// False where the scene has no value.
@@ -356,11 +369,7 @@ bool check_constrained(const model::Scene& scene, const program::Staged& staged,
   const Values lambda(reactions, values.end() - contacts);
   const Values& tau = state.at(state.has("tau") ? "tau" : program::kForceArray);
   Residual motion = motion_of(equations, rows, qdd, lambda);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (const Real& term : {equations.bias()[i], Real(-tau[i]), Real(-force[i])}) {
-      motion.add(i, term);
-    }
-  }
+  add_forces(equations, tau, force, motion);
   Residual error(r);
   for (std::size_t k = 0; k < r; ++k) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -371,8 +380,8 @@ bool check_constrained(const model::Scene& scene, const program::Staged& staged,
   }
   const Real of_inertia = least_pivot(equations);
   require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
-  require_small(name, "row", reachable_error(staged, equations, rows, error.left), error.sizes,
-                of_inertia * least);
+  require_small(name, "row", reachable_error(staged, equations, rows, error.left),
+                error.sizes + acceleration_by(equations, rows, motion.sizes), of_inertia * least);
   return true;
 }
 
@@ -397,11 +406,7 @@ bool check_inverse(const model::Scene& scene, const program::Staged& staged, Sta
     force[i] += state.at(program::kForceArray)[i];
   }
   Residual motion = motion_of(equations, rows, state.at("qdd"), lambda);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (const Real& term : {equations.bias()[i], Real(-tau[i]), Real(-force[i])}) {
-      motion.add(i, term);
-    }
-  }
+  add_forces(equations, tau, force, motion);
   require_small(staged.signature.name, "equation of motion", motion.left, motion.sizes);
   if (staged.solves.front().regular()) {
     Values left;

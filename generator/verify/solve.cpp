@@ -4,7 +4,15 @@
 #include <iterator>
 #include <numeric>
 
+#include "common/transformed.hpp"
+
 namespace treedyn {
+
+Real largest(const Values& values) {
+  return std::accumulate(
+      values.begin(), values.end(), Real(0),
+      [](const Real& most, const Real& x) { return std::max(most, Real(abs(x))); });
+}
 
 Solution solved(Matrix s, Values b, const Real& least) {
   const std::size_t n = b.size();
@@ -50,17 +58,48 @@ Solution solved(Matrix s, Values b, const Real& least) {
 }
 
 Solution least_squares(const Matrix& K, const Values& b) {
-  Matrix square;
-  Values right;
-  for (const Values& row : K) {  // of the symmetric K
-    square.emplace_back();
-    std::ranges::transform(K, std::back_inserter(square.back()), [&](const Values& column) {
-      return std::inner_product(row.begin(), row.end(), column.begin(), Real(0));
-    });
-    right.push_back(std::inner_product(row.begin(), row.end(), b.begin(), Real(0)));
+  const std::size_t n = b.size();
+  const auto dot = [](const Values& x, const Values& y) {
+    return std::inner_product(x.begin(), x.end(), y.begin(), Real(0));
+  };
+  Matrix rest = K;
+  Matrix columns;  // of L
+  Solution result{Values(n), 1};
+  const auto share = [&](std::size_t i) {  // of its own diagonal entry
+    return K[i][i] > 0 ? Real(rest[i][i] / K[i][i]) : Real(0);
+  };
+  while (columns.size() < n) {
+    std::size_t p = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+      p = share(i) > share(p) ? i : p;
+    }
+    if (!(share(p) > Real("1e-25"))) {
+      break;
+    }
+    result.least = std::min(result.least, share(p));
+    const Real root = sqrt(rest[p][p]);
+    columns.push_back(transformed<Real>(rest[p], [&](const Real& x) { return x / root; }));
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        rest[i][j] =
+            i == p || j == p ? Real(0) : Real(rest[i][j] - columns.back()[i] * columns.back()[j]);
+      }
+    }
   }
-  Solution result = solved(std::move(square), std::move(right));
-  result.least = sqrt(result.least);
+  const Matrix squared = transformed<Values>(columns, [&](const Values& column) {
+    return transformed<Real>(columns, [&](const Values& other) { return dot(column, other); });
+  });
+  Values along = transformed<Real>(columns, [&](const Values& column) { return dot(column, b); });
+  for (int pass = 0; pass < 2; ++pass) {
+    Solution once = solved(squared, along, 0);
+    along = std::move(once.x);
+    result.least = std::min(result.least, once.least);
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      result.x[i] += columns[k][i] * along[k];
+    }
+  }
   return result;
 }
 

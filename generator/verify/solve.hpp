@@ -10,6 +10,9 @@ namespace treedyn {
 using Values = std::vector<Real>;
 using Matrix = std::vector<Values>;  ///< row by row
 
+/// The largest magnitude; 0 of none.
+Real largest(const Values& values);
+
 /// What solves S x = b, and the smallest pivot as a part of its own diagonal entry.
 struct Solution {
   std::vector<Real> x;
@@ -20,8 +23,8 @@ struct Solution {
 /// behind the rank are zero: pivots of at most `least` of their own diagonal entry.
 Solution solved(Matrix s, Values b, const Real& least = Real("1e-25"));
 
-/// x with K K x = K b for a symmetric K: K x is as near to b as it can be. Its smallest pivot is
-/// the root of that of K K.
+/// x for which K x is as near to b as it can be, K symmetric and positive semidefinite, by
+/// K = L L^T: x = L (L^T L)^-2 L^T b. Pivots of K as in `solved`; the smallest is of K or of L^T L.
 Solution least_squares(const Matrix& K, const Values& b);
 
 }  // namespace treedyn

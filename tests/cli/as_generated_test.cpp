@@ -578,6 +578,78 @@ TEST(Float, ThatKeepsNoDigitsIsWarnedOf) {
   EXPECT_FALSE(warned("0.1"));
 }
 
+/// A body of mass m on a rail of a slide of 10 kg, held where it is: J A^-1 J^T is 1/m but for the
+/// tenth of the slide.
+Outcome light_body(const TemporaryFolder& folder, const std::string& mass,
+                   const std::string& scalar) {
+  write_file(folder.path() / "light.model.yaml",
+             "name: light\nlinks:\n"
+             "  - name: slide\n    father: ground\n    joint: {name: x, type: prismatic, axis: [1, "
+             "0, 0]}\n    mass: 10\n"
+             "  - name: tip\n    father: slide\n    joint: {name: d, type: prismatic, axis: [1, 0, "
+             "1]}\n    mass: " +
+                 mass + "\n");
+  const std::string file = (folder.path() / "light.yaml").string();
+  write_file(
+      file,
+      "scene: light\nmodel: light.model.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"
+      "  drive: [{joint: x, torque: 1}]\n  point_constraint: [{name: pin, point: tip, along: "
+      "[x, z]}]\nduration: 0.001\nstepping: {integrator: rk4, step: 0.001}\n");
+  return simulated(file, {"--as-generated", "--scalar", scalar});
+}
+
+TEST(Float, ThatLosesForcesOfConstraintsIsWarnedOf) {
+  const TemporaryFolder folder;
+  const auto warned = [&](const std::string& mass, const std::string& scalar) {
+    return light_body(folder, mass, scalar).err.find("the forces of constraints are off by") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(warned("1e-5", "float"));  // by 6.7 %
+  EXPECT_FALSE(warned("1e-2", "float"));
+  EXPECT_FALSE(warned("1e-5", "double"));
+}
+
+/// What proves generated code has to know how large the accelerations are that rows hold.
+TEST(AsGenerated, HoldsABodyOfAPicogram) {
+  const TemporaryFolder folder;
+  const Outcome outcome = light_body(folder, "1e-15", "double");
+  EXPECT_EQ(outcome.err.find("internal error"), std::string::npos) << outcome.err;
+}
+
+/// Two points of a light link, 0.1 mm apart, hold it by six rows of rank five: small pivots, not
+/// smaller ones of a square.
+TEST(AsGenerated, HoldsALightLinkByPointsThatLieCloseTogether) {
+  const TemporaryFolder folder;
+  std::string model = "name: arm\nlinks:\n";
+  std::string father = "ground";
+  const std::vector<std::string> axes = {
+      "prismatic, axis: [-0.4, 0.4, 0.03]", "revolute, axis: [0, 0, 1]",
+      "prismatic, axis: [0.6, -0.7, -0.4]", "revolute, axis: [1, 0, 0]",
+      "prismatic, axis: [-0.4, -0.8, -0.4]"};
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const std::string name = "l" + std::to_string(k);
+    const std::string mass = k + 1 < axes.size() ? "2" : "1e-3";
+    model += "  - name: " + name + "\n    father: " + father + "\n    joint: {name: j" +
+             std::to_string(k) + ", type: " + axes[k] +
+             ", offset: [0.1, 0.2, -0.3], rotation: {rpy: [1, -0.3, 1.6]}}\n    mass: " + mass +
+             "\n    com: [0.1, -0.2, 0.1]\n    inertia: [0.01*" + mass + ", 0, 0, 0.01*" + mass +
+             ", 0, 0.01*" + mass + "]\n";
+    father = name;
+  }
+  model +=
+      "points:\n  - {name: a, link: l4, at: [0.2793, -0.1911, 0.1699]}\n"
+      "  - {name: b, link: l4, at: [0.2794, -0.1911, 0.1699]}\n";
+  write_file(folder.path() / "arm.model.yaml", model);
+  const std::string file = (folder.path() / "arm.yaml").string();
+  write_file(file,
+             "scene: arm\nmodel: arm.model.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"
+             "  point_constraint: [{point: a}, {point: b}]\ninitial: {q: {j0: 0.6, j1: 0.6, j2: "
+             "0.3, j3: -1.4, j4: -0.5}}\nduration: 0.001\n"
+             "stepping: {integrator: rk4, step: 0.001}\n");
+  const Outcome outcome = simulated(file, {"--as-generated"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST(AsGenerated, NeedsAStepOfFixedLength) {
   const Outcome outcome = simulated(kScenes + "compass_walk.yaml", {"--as-generated"});
   EXPECT_EQ(outcome.status, 1);

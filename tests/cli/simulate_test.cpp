@@ -255,6 +255,11 @@ TEST_F(Simulate, AnswersWrongUsageWith2AndWrongScenesWith1) {
   const Outcome euler = treedyn({scratch("s.yaml").string()});
   EXPECT_EQ(euler.status, 1);
   EXPECT_THAT(euler.err, HasSubstr("s.yaml:4:24: stepping: integrator 'euler' is unknown"));
+  const Outcome fixed = treedyn({scene("pendulum"), "--integrator", "rk4", "--tolerance", "1e-3"});
+  EXPECT_EQ(fixed.status, 1);
+  EXPECT_EQ(fixed.err,
+            "--tolerance: rk4 takes steps of one length; expected an adaptive integrator, or "
+            "--step\n");
 }
 
 TEST_F(Simulate, WritesTheMotionUpToItsEndWhenItBreaks) {

@@ -222,6 +222,19 @@ TEST(Constraints, ThatBeginAtASpeedAreNoticed) {
   }
 }
 
+/// Of a pendulum whose size is 1 m, which is no unit of angles.
+TEST(Constraints, OfAnglesAreToldInTheirUnits) {
+  Running run(scene_of(
+      "scene: caught\nmodel: pendulum.model.yaml\neffects:\n  locked_joint: [{name: hold, joint: "
+      "pivot}]\nphases:\n  - {name: free, active: [], until: [{time: 0.1, then: held}]}\n"
+      "  - {name: held, active: [hold]}\ninitial: {qd: {pivot: 2}}\nduration: 0.2\n"));
+  const Recording recording = run.record(0.01);
+  const Notice* const notice = find(recording.notices, "speed");
+  ASSERT_NE(notice, nullptr);
+  EXPECT_EQ(notice->unit, "1/s");
+  EXPECT_NE(notice->text.find("at a speed of 2 1/s"), std::string::npos) << notice->text;
+}
+
 /// A plastic impact that returns to the fall: the next one comes at once.
 TEST(Rest, IsAskedForWhereImpactsPileUp) {
   Running run(falling_ball(
