@@ -433,8 +433,9 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
 
 std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study& study) {
   const std::vector<const accuracy::Core*> on = transformed(request.on, accuracy::find_core);
+  const auto chosen_for = request.target ? on : std::vector<const accuracy::Core*>{};
   std::string text = accuracy::report_text(study, on);
-  for (const accuracy::Core* core : request.target ? on : std::vector<const accuracy::Core*>{}) {
+  for (const accuracy::Core* core : chosen_for) {
     const std::string choice = accuracy::choice_text(study, *core, *request.target);
     text += text.find(choice) == std::string::npos ? choice : "";  // one refusal for all
   }
@@ -444,7 +445,7 @@ std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study
                                      {stem + ".json", accuracy::report_json(study)},
                                      {stem + ".html", accuracy::report_page(study, on)},
                                      {stem + ".svg", accuracy::step_chart(study)}};
-    for (const accuracy::Core* core : request.target ? on : std::vector<const accuracy::Core*>{}) {
+    for (const accuracy::Core* core : chosen_for) {
       if (const auto chosen = accuracy::cheapest(study, *core, *request.target)) {
         files.push_back({fmt::format("{}_{}.toml", stem, core->name),
                          accuracy::settings_text(study, study.outcomes[*chosen].setting)});

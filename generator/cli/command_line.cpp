@@ -127,6 +127,12 @@ void add_commands(CLI::App& app, Settings& settings) {
       ->type_name("man|bash");
 }
 
+void refuse(bool wrong, const std::string& what) {
+  if (wrong) {
+    throw CLI::ParseError(what, kUsage);
+  }
+}
+
 /// The command of that name; null for an option. CLI11 takes an unknown command for a positional
 /// argument and says less.
 const CLI::App* find_command(const CLI::App& app, const std::string& word) {
@@ -137,21 +143,17 @@ const CLI::App* find_command(const CLI::App& app, const std::string& word) {
     }
     names.push_back(command->get_name());
   }
-  if (!word.empty() && word.front() != '-') {
-    throw CLI::ParseError(fmt::format("there is no command {}; expected one of {}", shown(word),
-                                      fmt::join(names, ", ")),
-                          kUsage);
-  }
+  refuse(!word.empty() && word.front() != '-',
+         fmt::format("there is no command {}; expected one of {}", shown(word),
+                     fmt::join(names, ", ")));
   return nullptr;
 }
 
 /// `--stamp=$NOTHING`: CLI11 would take the next word for the value.
 void refuse_empty_values(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
-    if (word.starts_with("--") && word.find('=') + 1 == word.size()) {
-      throw CLI::ParseError(fmt::format("{} has no value; expected one behind it", shown(word)),
-                            kUsage);
-    }
+    refuse(word.starts_with("--") && word.find('=') + 1 == word.size(),
+           fmt::format("{} has no value; expected one behind it", shown(word)));
   }
 }
 
@@ -165,10 +167,7 @@ void refuse_standard_input_twice(const std::vector<std::string>& words) {
                                               kReading.contains(words[k - 1]));
     count += is_input || kInputs.contains(words[k]) ? 1 : 0;
   }
-  if (count > 1) {
-    throw CLI::ParseError(
-        fmt::format("standard input (-) is read {} times; expected it once", count), kUsage);
-  }
+  refuse(count > 1, fmt::format("standard input (-) is read {} times; expected it once", count));
 }
 
 /// Where the option stands that CLI11 complains of, the first that it names; null: not in a
@@ -179,12 +178,6 @@ const Location* place_of(const std::map<std::string, Location>& places, const st
   const auto place =
       begin == std::string::npos ? places.end() : places.find(what.substr(begin, size));
   return place == places.end() ? nullptr : &place->second;
-}
-
-void refuse(bool wrong, const std::string& what) {
-  if (wrong) {
-    throw CLI::ParseError(what, kUsage);
-  }
 }
 
 /// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.
@@ -331,7 +324,7 @@ std::vector<std::string> without_plan(const std::string& program,
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (words[k] == "--plan") {
       ++k;
-    } else if (words[k].rfind("--plan=", 0) != 0) {
+    } else if (!words[k].starts_with("--plan=")) {
       result.push_back(words[k]);
     }
   }

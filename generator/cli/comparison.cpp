@@ -107,11 +107,9 @@ Outcome Comparison::outcome(const Setting& setting, StepWriter& writer,
     for (std::size_t k = 0; k < motion.steps.size(); ++k) {
       result.phases[k].count += motion.steps[k];
     }
-  }
-  result.errors = errors(motions);
-  for (const Motion& motion : motions) {
     result.status |= motion.status;
   }
+  result.errors = errors(motions);
   for (const accuracy::Core* core : sized) {
     result.sizes[std::string(core->name)] =
         step_size(stepped_files(subject_, how, writer, false), *core);

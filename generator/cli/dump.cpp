@@ -1,5 +1,7 @@
 #include "cli/dump.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "common/index.hpp"
@@ -39,27 +41,10 @@ std::string model_text(const model::Tree& tree) {
   return result;
 }
 
-const char* kind_name(program::Kind kind) {
-  switch (kind) {
-    case program::Kind::kConstant:
-      return "constant";
-    case program::Kind::kInput:
-      return "input";
-    case program::Kind::kAdd:
-      return "add";
-    case program::Kind::kMultiply:
-      return "mul";
-    case program::Kind::kDivide:
-      return "div";
-    case program::Kind::kSin:
-      return "sin";
-    case program::Kind::kCos:
-      return "cos";
-    case program::Kind::kSqrt:
-      return "sqrt";
-  }
-  return "";
-}
+/// By kind.
+constexpr std::array<const char*, 8> kKinds = {"constant", "input", "add", "mul",
+                                               "div",      "sin",   "cos", "sqrt"};
+static_assert(kKinds.size() == static_cast<std::size_t>(program::Kind::kSqrt) + 1);
 
 /// One value a line: number, operation, operands; a minus sign is part of the use.
 std::string program_text(const program::Function& function) {
@@ -67,7 +52,7 @@ std::string program_text(const program::Function& function) {
   std::string result = fmt::format("function {}\n", function.signature.name);
   for (const program::Ref k : program::reachable(graph, function.outputs)) {
     const program::Node& node = graph.node(k);
-    result += fmt::format("  {} = {}", k, kind_name(node.kind));
+    result += fmt::format("  {} = {}", k, kKinds[static_cast<std::size_t>(node.kind)]);
     if (node.kind == program::Kind::kConstant) {
       result += " " + graph.value(k).str(20);
     } else if (node.kind == program::Kind::kInput) {

@@ -118,13 +118,6 @@ void set_gravity(Request& request, const std::string& text) {
   }
 }
 
-void set_forward_dynamics(Request& request, const std::string& choice) {
-  using formulate::ForwardDynamics;
-  request.forward_dynamics = choice == "factor"        ? ForwardDynamics::kFactor
-                             : choice == "articulated" ? ForwardDynamics::kArticulated
-                                                       : ForwardDynamics::kCheapest;
-}
-
 /// Names of passes, comma-separated.
 void set_without(Request& request, const std::string& list) {
   for (const std::string& name : split(list, ',')) {
@@ -246,7 +239,6 @@ void settle_vectors(Request& request) {
 
 namespace {
 
-/// Numbers, sines and storage of the output.
 /// The processor and what follows for the order of statements; `--trig` has the last word.
 void add_core(CLI::App& command, Request& request) {
   const auto late = [](bool is_late) {
@@ -275,6 +267,7 @@ void add_core(CLI::App& command, Request& request) {
       ->check(one_of(known));
 }
 
+/// Numbers, sines and storage of the output.
 void add_target(CLI::App& command, Request& request) {
   add_choice(
       command, "--scalar", {"double", "float"},
@@ -350,7 +343,9 @@ void add_formulation(CLI::App& command, Request& request) {
       "the operations; default auto");
   add_choice(
       command, "--forward-dynamics", {"cheapest", "factor", "articulated"},
-      [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
+      [&request](const std::string& choice) {
+        request.forward_dynamics = formulate::forward_dynamics_of(choice);
+      },
       "method of forward_dynamics; default cheapest");
 }
 

@@ -128,9 +128,7 @@ model::Scene stepped_scene(const Subject& subject, const Stepped& how) {
                            ? subject.scene
                            : model::without_effect(subject.scene, variant.without);
   if (variant.stabilisation != usual.stabilisation) {
-    scene.stepping.drift = variant.stabilisation == "none"        ? model::Drift::kNone
-                           : variant.stabilisation == "baumgarte" ? model::Drift::kBaumgarte
-                                                                  : model::Drift::kProjection;
+    scene.stepping.drift = *model::drift_of(variant.stabilisation);
   }
   if (variant.cuts != usual.cuts) {
     scene.stepping.cuts = std::stoi(variant.cuts);
@@ -143,24 +141,25 @@ model::Scene stepped_scene(const Subject& subject, const Stepped& how) {
 
 StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& writer,
                         bool tells) {
-  using formulate::ForwardDynamics;
-  const std::string& method = how.variant.forward_dynamics;
   StepForm form;
   form.scalar = how.scalar;
   form.sincos = how.variant.sincos == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
-  form.forward_dynamics = method == "factor"        ? ForwardDynamics::kFactor
-                          : method == "articulated" ? ForwardDynamics::kArticulated
-                                                    : ForwardDynamics::kCheapest;
+  form.forward_dynamics = formulate::forward_dynamics_of(how.variant.forward_dynamics);
   form.tells = tells;
   return writer.files(stepped_scene(subject, how), form, how.variant.without);
 }
 
 namespace {
 
-/// The scene of a step from another state, which decides what sticks to begin with.
-model::Scene settled_at(model::Scene scene, const Start& start) {
+model::Scene begun_at(model::Scene scene, const Start& start) {
   scene.q0.assign(start.q.begin(), start.q.end());
   scene.qd0.assign(start.qd.begin(), start.qd.end());
+  return scene;
+}
+
+/// The scene of a step from another state, which decides what sticks to begin with.
+model::Scene settled_at(const model::Scene& of, const Start& start) {
+  model::Scene scene = begun_at(of, start);
   formulate::settle_sticking(scene);
   return scene;
 }
@@ -196,9 +195,7 @@ std::vector<Motion> simulated_motions(const Subject& subject, double tolerance) 
   how.tolerance = tolerance;
   std::vector<Motion> result;
   for (const Start& start : subject.starts) {
-    model::Scene scene = subject.scene;
-    scene.q0.assign(start.q.begin(), start.q.end());
-    scene.qd0.assign(start.qd.begin(), start.qd.end());
+    const model::Scene scene = begun_at(subject.scene, start);
     simulation::Simulator simulator(scene, *subject.dynamics, how);
     simulator.settle();
     Motion motion;

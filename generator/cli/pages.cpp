@@ -41,21 +41,6 @@ std::string choices_of(const CLI::Option& option) {
   return type;
 }
 
-/// "-o, --output DIR", "--effort N=2000"
-std::string words_of(const CLI::Option& option) {
-  std::string words = option.get_positional() ? option.get_name(true) : "";
-  for (const std::string& name : option.get_snames()) {
-    words += fmt::format("{}-{}", words.empty() ? "" : ", ", name);
-  }
-  for (const std::string& name : option.get_lnames()) {
-    words += fmt::format("{}--{}", words.empty() ? "" : ", ", name);
-  }
-  const std::string type =
-      option.get_positional() && choices_of(option).empty() ? "" : option.get_type_name();
-  const std::string value = option.get_default_str();
-  return words + (type.empty() ? "" : " " + type) + (value.empty() ? "" : "=" + value);
-}
-
 std::string names_of(const CLI::Option& option, const char* between) {
   std::vector<std::string> names =
       transformed(option.get_snames(), [](const std::string& name) { return "-" + name; });
@@ -63,6 +48,16 @@ std::string names_of(const CLI::Option& option, const char* between) {
     names.push_back("--" + name);
   }
   return fmt::format("{}", fmt::join(names, between));
+}
+
+/// "-o, --output DIR", "--effort N=2000"
+std::string words_of(const CLI::Option& option) {
+  const std::string words =
+      option.get_positional() ? option.get_name(true) : names_of(option, ", ");
+  const std::string type =
+      option.get_positional() && choices_of(option).empty() ? "" : option.get_type_name();
+  const std::string value = option.get_default_str();
+  return words + (type.empty() ? "" : " " + type) + (value.empty() ? "" : "=" + value);
 }
 
 }  // namespace

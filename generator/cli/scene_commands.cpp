@@ -270,11 +270,7 @@ void add_simulate(CLI::App& app, Settings& settings) {
                "E", request.energy_limit);
   add_choice(
       command, "--drift", {"none", "baumgarte", "projection"},
-      [&request](const std::string& drift) {
-        request.drift = drift == "none"        ? model::Drift::kNone
-                        : drift == "baumgarte" ? model::Drift::kBaumgarte
-                                               : model::Drift::kProjection;
-      },
+      [&request](const std::string& drift) { request.drift = model::drift_of(drift); },
       "what is done about the drift of constraints; default the scene's, or projection "
       "(generated steps: of closed loops only)");
   add_talk(command, settings);

@@ -1,6 +1,8 @@
 // "did you mean": the known word that a mistyped one is closest to.
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,14 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
 template <class List>
 std::vector<std::string_view> names_of(const List& list) {
   return transformed(list, [](const auto& item) -> std::string_view { return item.name; });
+}
+
+/// The first item whose member `name` that is.
+template <class List>
+std::optional<int> index_of(const List& list, std::string_view name) {
+  const auto found =
+      std::ranges::find_if(list, [name](const auto& item) { return item.name == name; });
+  return found == list.end() ? std::nullopt : std::optional(static_cast<int>(found - list.begin()));
 }
 
 }  // namespace treedyn

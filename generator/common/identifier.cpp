@@ -1,6 +1,8 @@
 #include "common/identifier.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 namespace treedyn {
 
@@ -32,10 +34,20 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-std::string to_identifier(std::string_view name) {
-  std::string result(name);
+std::vector<std::string> words_in(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string identifier_part(std::string_view text) {
+  std::string result(text);
   std::ranges::replace_if(
       result, [](char c) { return !is_word_byte(c); }, '_');
+  return result;
+}
+
+std::string to_identifier(std::string_view name) {
+  std::string result = identifier_part(name);
   if (result.empty() || result.front() == '_' || is_digit(result.front())) {
     result.insert(result.begin(), 'n');
   }

@@ -18,6 +18,12 @@ bool has_word(std::string_view text, std::string_view word);
 /// What stands between separators; the whole text if there are none.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// What stands between white space.
+std::vector<std::string> words_in(std::string_view text);
+
+/// `text` with `_` for every byte outside [A-Za-z0-9_].
+std::string identifier_part(std::string_view text);
+
 /// True for what no identifier may be: keywords of C, C++ and the GNU modes of their compilers,
 /// names that C headers or the compiler's environment define as macros (`NULL`, `NAN`, `linux`),
 /// and `std`.

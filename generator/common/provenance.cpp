@@ -58,10 +58,6 @@ double rate(RecipeKind kind, double of, double result) {
 /// What is known of numbers, by the magnitudes that they are seen as: the operations that made
 /// them. Numbers of the robot that are seen as one magnitude are one variable.
 class Sources {
-  struct Hash {
-    std::size_t operator()(const Digits& x) const { return std::hash<Digits>()(x); }
-  };
-
   /// Numbers of the robot that are seen as one.
   struct Variable {
     std::vector<Origin> origins;
@@ -251,7 +247,7 @@ class Sources {
   std::vector<std::pair<Digits, Provenance>> robot_;
   std::vector<Variable> variables_;
   std::vector<Step> steps_;  ///< operands before their results
-  std::unordered_map<Digits, int, Hash> by_number_;
+  std::unordered_map<Digits, int> by_number_;
   std::size_t given_ = 0;  ///< of a task: how many steps its caller knows
 };
 

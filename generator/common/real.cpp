@@ -98,9 +98,7 @@ std::string Real::str(std::streamsize digits, std::ios_base::fmtflags flags) con
   return value_.str(digits, flags);
 }
 
-Real Real::operator-() const {
-  return {-value_, -seen_, differs_, recipe_ == 0 ? 0 : negative_recipe(recipe_)};
-}
+Real Real::operator-() const { return {-value_, -seen_, differs_, -recipe_}; }
 template <class Operation>
 Real Real::made(RecipeKind kind, const Real& a, const Real& b, Operation operation) {
   Real result = map(a, b, operation);
@@ -266,22 +264,3 @@ bool identical(const Real& a, const Real& b) {
 }
 
 }  // namespace treedyn
-
-treedyn::Real std::numeric_limits<treedyn::Real>::min() {
-  return std::numeric_limits<treedyn::Digits>::min();
-}
-treedyn::Real std::numeric_limits<treedyn::Real>::max() {
-  return std::numeric_limits<treedyn::Digits>::max();
-}
-treedyn::Real std::numeric_limits<treedyn::Real>::lowest() {
-  return std::numeric_limits<treedyn::Digits>::lowest();
-}
-treedyn::Real std::numeric_limits<treedyn::Real>::epsilon() {
-  return std::numeric_limits<treedyn::Digits>::epsilon();
-}
-treedyn::Real std::numeric_limits<treedyn::Real>::infinity() {
-  return std::numeric_limits<treedyn::Digits>::infinity();
-}
-treedyn::Real std::numeric_limits<treedyn::Real>::quiet_NaN() {
-  return std::numeric_limits<treedyn::Digits>::quiet_NaN();
-}

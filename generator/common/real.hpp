@@ -22,15 +22,7 @@ enum class RecipeKind : std::uint8_t;
 }  // namespace treedyn
 
 template <>
-class std::numeric_limits<treedyn::Real> : public std::numeric_limits<treedyn::Digits> {
- public:
-  static treedyn::Real min();
-  static treedyn::Real max();
-  static treedyn::Real lowest();
-  static treedyn::Real epsilon();
-  static treedyn::Real infinity();
-  static treedyn::Real quiet_NaN();
-};
+class std::numeric_limits<treedyn::Real> : public std::numeric_limits<treedyn::Digits> {};
 
 namespace treedyn {
 

@@ -42,7 +42,6 @@ inline constexpr int kUnknownRecipe = 0x7FFFFFFF;
 
 /// \param index  -1: kUnknownRecipe
 int recipe_of_parameter(int index);
-inline int negative_recipe(int number) { return -number; }
 /// The recipe of an operation; 0 if neither number has one, unknown if one is. Recipes live as long
 /// as the program: there are as many as operations on such numbers.
 int recipe_of(RecipeKind kind, const Real& a, const Real& b);

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/identifier.hpp"
 
@@ -200,13 +200,9 @@ constexpr const char* kNames =
 
 using Words = std::set<std::string, std::less<>>;
 
-Words split(const std::string& text) {
-  std::istringstream stream(text);
-  Words words;
-  for (std::string word; stream >> word;) {
-    words.insert(word);
-  }
-  return words;
+Words set_of(std::string_view text) {
+  const std::vector<std::string> words = words_in(text);
+  return {words.begin(), words.end()};
 }
 
 /// "acos" of "acosf64x": functions of every floating-point type of the compiler.
@@ -221,12 +217,12 @@ std::string_view without_type(std::string_view name) {
 }  // namespace
 
 bool is_reserved_word(std::string_view name) {
-  static const Words words = split(kWords);
+  static const Words words = set_of(kWords);
   return words.contains(name);
 }
 
 bool is_reserved(std::string_view name) {
-  static const Words names = split(kNames);
+  static const Words names = set_of(kNames);
   return is_reserved_word(name) || names.contains(name) || names.contains(without_type(name));
 }
 

@@ -48,10 +48,6 @@ Strict strict(const Expression& a, const Expression& b) {
   return is_leaf(x, "D") ? Strict::kPath : Strict::kNo;
 }
 
-}  // namespace
-
-namespace {
-
 /// A product L v R with numbers in L and R.
 struct Parted {
   std::vector<Expression> left, middle, right;

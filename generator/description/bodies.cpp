@@ -10,9 +10,10 @@ namespace treedyn::description {
 
 namespace {
 
+/// Of magnitudes.
 Real trace(const Matrix3& a) { return abs(a[0]) + abs(a[4]) + abs(a[8]); }
 
-/// `value` without what rounding at 50 digits leaves of zero.
+/// `tensor` without what rounding at 50 digits leaves of zero.
 void tidy(Matrix3& tensor) {
   const Real scale = trace(tensor);
   for (Real& entry : tensor) {

@@ -54,11 +54,9 @@ model::EquationText read_equation(const std::string& file, const Node& node, std
       fields.fail(doc->where, "doc has several lines; expected one");
     }
   }
-  if (const Node* const inputs = fields.find("inputs")) {
-    const std::vector<Node>& items = fields.sequence(*inputs);
-    for (std::size_t k = 0; k < items.size(); ++k) {
-      equation.inputs.push_back(read_input(file, items[k], k));
-    }
+  const std::vector<Node>& inputs = fields.list("inputs");
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    equation.inputs.push_back(read_input(file, inputs[k], k));
   }
   return equation;
 }

@@ -7,6 +7,7 @@
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
+#include "common/transformed.hpp"
 
 namespace treedyn::description {
 
@@ -72,14 +73,18 @@ std::optional<Text> Fields::optional_text(std::string_view key) const {
 
 std::optional<Numbers> Fields::numbers(std::string_view key) const {
   const Node* const node = find(key);
-  if (node == nullptr) {
-    return std::nullopt;
-  }
-  Numbers result{{}, node->where};
-  for (const Node& item : sequence(*node)) {
-    result.values.push_back(scalar(item));
-  }
-  return result;
+  return node == nullptr ? std::nullopt : std::optional<Numbers>(numbers(*node));
+}
+
+Numbers Fields::numbers(const Node& node) const {
+  return {transformed(sequence(node), [this](const Node& item) { return scalar(item); }),
+          node.where};
+}
+
+const std::vector<Node>& Fields::list(std::string_view key) const {
+  static const std::vector<Node> none;
+  const Node* const node = find(key);
+  return node == nullptr ? none : sequence(*node);
 }
 
 const std::vector<Node>& Fields::sequence(const Node& node) const {

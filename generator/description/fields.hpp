@@ -33,7 +33,10 @@ class Fields {
   [[nodiscard]] Text text(std::string_view key) const { return scalar(get(key)); }
   [[nodiscard]] std::optional<Text> optional_text(std::string_view key) const;
   [[nodiscard]] std::optional<Numbers> numbers(std::string_view key) const;
+  [[nodiscard]] Numbers numbers(const Node& node) const;
   [[nodiscard]] const std::vector<Node>& sequence(const Node& node) const;
+  /// The entries of a list; none if the key is missing.
+  [[nodiscard]] const std::vector<Node>& list(std::string_view key) const;
 
  private:
   const std::string& file_;

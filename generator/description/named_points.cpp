@@ -1,7 +1,6 @@
 #include "description/named_points.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -17,16 +16,6 @@
 namespace treedyn::description {
 
 namespace {
-
-using FrameIndex = std::map<std::string_view, const model::Frame*>;
-
-FrameIndex frames_by_name(const model::Tree& tree) {
-  FrameIndex result;
-  for (const model::Frame& frame : tree.frames) {
-    result.emplace(frame.name, &frame);
-  }
-  return result;
-}
 
 /// The point at `at` in the frame of a link of the file.
 model::Point on_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
@@ -63,8 +52,7 @@ std::string unknown_link(const model::Tree& tree, std::string_view point, std::s
 /// The elements of `--points`, one at a time.
 class PointList {
  public:
-  PointList(const model::Tree& tree, std::string_view list)
-      : tree_(tree), frames_(frames_by_name(tree)), list_(list) {}
+  PointList(const model::Tree& tree, std::string_view list) : tree_(tree), list_(list) {}
 
   std::vector<model::Point> all() {
     std::vector<model::Point> result;
@@ -114,7 +102,7 @@ class PointList {
     }
     const std::string_view link = word.substr(equals + 1);
     const std::size_t colon = link.rfind(':');
-    if (frames_.count(link) > 0 || colon == std::string_view::npos) {
+    if (find_frame(tree_, link) != nullptr || colon == std::string_view::npos) {
       result.push_back(on_frame(std::string(name), frame(link, name), {}));
       return more;
     }
@@ -125,7 +113,7 @@ class PointList {
     const auto point = std::ranges::find(tree_.points, name, &model::Point::name);
     if (point != tree_.points.end()) {
       result.push_back(*point);
-    } else if (name == "all" && frames_.count(name) == 0) {
+    } else if (name == "all" && find_frame(tree_, name) == nullptr) {
       for (int i = 0; i < tree_.size(); ++i) {
         const std::string& link = tree_.links[static_cast<std::size_t>(i)].name;
         result.push_back({link, to_identifier(link), link, i, {}});
@@ -166,7 +154,6 @@ class PointList {
   }
 
   const model::Tree& tree_;
-  FrameIndex frames_;
   std::string_view list_;
 };
 

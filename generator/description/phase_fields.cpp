@@ -214,18 +214,14 @@ class PhaseReader {
   /// Nothing for a constraint that is switched off.
   [[nodiscard]] std::optional<int> constraint(const SceneFields& fields, const Node& node) const {
     const std::string name = fields.scalar(node).text;
-    for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
-      if (scene_.constraints[k].name == name) {
-        return static_cast<int>(k);
-      }
-    }
-    if (!effects_.is_off(name)) {
+    const std::optional<int> found = index_of(scene_.constraints, name);
+    if (!found && !effects_.is_off(name)) {
       fields.fail(node.where,
                   fmt::format("constraint '{}' is not defined{}; expected the name of one "
                               "in 'effects'",
                               shown(name), did_you_mean(name, names_of(scene_.constraints))));
     }
-    return std::nullopt;
+    return found;
   }
 
   std::vector<int> constraints(const SceneFields& fields, const char* key) {
@@ -260,10 +256,8 @@ class PhaseReader {
   }
 
   [[nodiscard]] int phase(const SceneFields& fields, const Text& name) const {
-    for (std::size_t k = 0; k < scene_.phases.size(); ++k) {
-      if (scene_.phases[k].name == name.text) {
-        return static_cast<int>(k);
-      }
+    if (const std::optional<int> found = index_of(scene_.phases, name.text)) {
+      return *found;
     }
     fields.fail(name.where,
                 fmt::format("phase '{}' is not defined{}; expected one of 'phases'",

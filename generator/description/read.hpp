@@ -62,7 +62,7 @@ std::vector<model::Point> resolve_points(const model::Tree& tree, const std::str
 /// Joints that can move, alone or together, without moving any inertia: A(q) is singular in every
 /// position and forward dynamics has no solution. One warning for every such movement (the joints
 /// of a vector x with A x = 0), by the first of its joints; not part of `Tree::warnings`.
-/// \param armature  inertia added to every coordinate, dof; default: none
+/// \param armature  inertia added to every coordinate, dof
 std::vector<Warning> joints_without_inertia(const model::Tree& tree);
 std::vector<Warning> joints_without_inertia(const model::Tree& tree,
                                             const std::vector<Real>& armature);

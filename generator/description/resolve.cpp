@@ -69,10 +69,6 @@ std::vector<Record> in_file_order(std::vector<Record> records) {
   return records;
 }
 
-bool is_zero(const Matrix3& tensor) {
-  return std::ranges::all_of(tensor, [](const Real& x) { return x == 0; });
-}
-
 /// One model in the making.
 class Resolver {
  public:
@@ -308,9 +304,9 @@ class Resolver {
   /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass.
   void vet_inertia(const RawLink& link, const model::Inertia& inertia) {
     const char* fault = nullptr;
-    if (inertia.mass != 0 && link.inertia->tensor && is_zero(inertia.about_com)) {
+    if (inertia.mass != 0 && link.inertia->tensor && inertia.about_com == Matrix3{}) {
       fault = "has a mass, and zeros for its inertia";
-    } else if (inertia.mass == 0 && !is_zero(inertia.about_com)) {
+    } else if (inertia.mass == 0 && inertia.about_com != Matrix3{}) {
       fault = "has an inertia, but no mass";
     }
     if (fault != nullptr) {

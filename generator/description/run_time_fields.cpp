@@ -129,10 +129,6 @@ class Declarations {
   std::vector<Named> named_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Where a declaration of the command line is split: in front of the quantity, and the component
 /// behind it. Nothing without a quantity.
 std::size_t split(const std::string& text, const model::Tree& tree) {

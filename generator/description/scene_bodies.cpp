@@ -13,19 +13,11 @@ namespace treedyn::description {
 
 namespace {
 
-Numbers texts_of(const SceneFields& fields, const Node& node) {
-  Numbers result{{}, node.where};
-  for (const Node& item : fields.sequence(node)) {
-    result.values.push_back({fields.scalar(item).text, item.where});
-  }
-  return result;
-}
-
 /// Nine numbers of three rows.
 Numbers rows_of(const SceneFields& fields, const Node& node) {
   Numbers result{{}, node.where};
   for (const Node& row : fields.sequence(node)) {
-    const Numbers numbers = texts_of(fields, row);
+    const Numbers numbers = fields.numbers(row);
     result.values.insert(result.values.end(), numbers.values.begin(), numbers.values.end());
   }
   if (node.items.size() != 3 || result.values.size() != 9) {
@@ -84,7 +76,7 @@ void read_body(const std::string& file, const Node& node, std::size_t index,
   RawLink link{{names[index], node.where}, std::nullopt, node.where};
   link.inertia =
       RawInertia{fields.text("mass"), {}, upper_half(fields, fields.get("inertia")), node.where};
-  link.inertia->pose.xyz = texts_of(fields, fields.get("com"));
+  link.inertia->pose.xyz = fields.numbers(fields.get("com"));
   RawJoint joint;
   joint.name = joint.son = link.name;
   joint.type = fields.text("joint");
@@ -95,8 +87,8 @@ void read_body(const std::string& file, const Node& node, std::size_t index,
   }
   joint.father = {father == 0 ? "ground" : names[to_index(father - 1)], fields.get("father").where};
   joint.where = node.where;
-  joint.axis = texts_of(fields, fields.get("axis"));
-  joint.pose.xyz = texts_of(fields, fields.get("offset"));
+  joint.axis = fields.numbers(fields.get("axis"));
+  joint.pose.xyz = fields.numbers(fields.get("offset"));
   joint.pose.matrix = rows_of(fields, fields.get("R0"));
   raw.links.push_back(std::move(link));
   raw.joints.push_back(std::move(joint));

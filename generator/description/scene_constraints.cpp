@@ -29,7 +29,7 @@ void SceneEffects::add(const SceneFields& fields, model::Constraint constraint) 
   }
   refuse_second(fields, constraint.name);
   if (entry_is_off_) {
-    constraints_off_[constraint.name] = 1;
+    constraints_off_.insert(constraint.name);
   }
   places_[constraint.name] = fields.where();
   scene().constraints.push_back(std::move(constraint));

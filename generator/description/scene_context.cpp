@@ -7,6 +7,7 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 #include "description/named_points.hpp"
 #include "description/vectors.hpp"
 
@@ -171,10 +172,8 @@ void SceneContext::define_points(const SceneFields& root) {
 
 /// A point of the model, or the origin of a link.
 std::optional<model::Point> SceneContext::of_model(const std::string& name) const {
-  for (const model::Point& point : scene_.tree.points) {
-    if (point.name == name) {
-      return point;
-    }
+  if (const std::optional<int> found = index_of(scene_.tree.points, name)) {
+    return scene_.tree.points[to_index(*found)];
   }
   const model::Frame* const frame = find_frame(scene_.tree, name);
   return frame == nullptr ? std::nullopt : std::optional(point_of_frame(name, *frame, {}));
@@ -182,10 +181,8 @@ std::optional<model::Point> SceneContext::of_model(const std::string& name) cons
 
 int SceneContext::point(const SceneFields& fields, std::string_view key) {
   const Text name = fields.text(key);
-  for (std::size_t k = 0; k < scene_.points.size(); ++k) {
-    if (scene_.points[k].name == name.text) {
-      return static_cast<int>(k);
-    }
+  if (const std::optional<int> found = index_of(scene_.points, name.text)) {
+    return *found;
   }
   if (std::optional<model::Point> point = of_model(name.text)) {
     return add(fields, name.where, std::move(*point));

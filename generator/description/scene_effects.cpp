@@ -1,12 +1,12 @@
 #include "description/scene_effects.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
-#include "common/index.hpp"
 #include "model/effects.hpp"
 #include "model/force_laws.hpp"
 
@@ -133,26 +133,22 @@ void SceneEffects::read_gravity(const SceneFields& effects) {
   const model::Vector3 value = effects.at_run_time().vector_of(*node);
   if (acts("gravity")) {
     scene().gravity = value;
-    ++acting_["gravity"];
+    acting_.insert("gravity");
   }
 }
 
 void SceneEffects::read_stabilisation(const Node& node) {
   const SceneFields fields = context_.fields(node, "stabilisation", {"method", "rate"});
-  static const std::map<std::string, model::Drift, std::less<>> methods = {
-      {"none", model::Drift::kNone},
-      {"baumgarte", model::Drift::kBaumgarte},
-      {"projection", model::Drift::kProjection}};
   const Text method = fields.text("method");
-  const auto found = methods.find(method.text);
-  if (found == methods.end()) {
+  const std::optional<model::Drift> drift = model::drift_of(method.text);
+  if (!drift) {
     fields.fail(method.where,
                 fmt::format("method '{}' is unknown; expected none, baumgarte or projection",
                             shown(method.text)));
   }
-  scene().stepping.drift = found->second;
+  scene().stepping.drift = *drift;
   if (fields.find("rate") != nullptr) {
-    if (found->second != model::Drift::kBaumgarte) {
+    if (*drift != model::Drift::kBaumgarte) {
       fields.fail(fields.get("rate").key.where, "'rate' belongs to baumgarte; expected no rate");
     }
     scene().stepping.stabilisation = fields.positive("rate");
@@ -191,7 +187,7 @@ void SceneEffects::read_entries(const Row& row, const SceneFields& effects, cons
     entry_is_nothing_ = false;
     (this->*row.read)(fields);
     if (used) {
-      ++acting_[std::string(row.effect)];
+      acting_.emplace(row.effect);
     }
     if (!used || entry_is_nothing_) {
       scene() = before;

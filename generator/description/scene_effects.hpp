@@ -1,7 +1,7 @@
 // The effects of a scene file.
 #pragma once
 
-#include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -70,8 +70,8 @@ class SceneEffects {
 
   SceneContext& context_;
   std::map<std::string, Use, std::less<>> use_;
-  std::map<std::string, int, std::less<>> acting_;  ///< entries of an effect that are not off
-  std::map<std::string, int, std::less<>> constraints_off_;
+  std::set<std::string, std::less<>> acting_;  ///< entries of an effect that are not off
+  std::set<std::string, std::less<>> constraints_off_;
   std::map<std::string, Place, std::less<>> places_;  ///< of the entries of constraints
   bool entry_is_off_ = false;
   bool entry_is_nothing_ = false;  ///< its numbers are zero

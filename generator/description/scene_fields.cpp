@@ -121,10 +121,4 @@ std::vector<Real> SceneFields::numbers_of_joints(std::string_view key, std::size
   return transformed(node.items, [&](const Node& item) { return number_of(item); });
 }
 
-const std::vector<Node>& SceneFields::list(std::string_view key) const {
-  static const std::vector<Node> none;
-  const Node* const node = find(key);
-  return node == nullptr ? none : sequence(*node);
-}
-
 }  // namespace treedyn::description

@@ -44,8 +44,6 @@ class SceneFields : public Fields {
   [[nodiscard]] model::Vector3 direction(std::string_view key) const;
   /// Exactly `size` numbers.
   [[nodiscard]] std::vector<Real> numbers_of_joints(std::string_view key, std::size_t size) const;
-  /// The entries of a list; none if the key is missing.
-  [[nodiscard]] const std::vector<Node>& list(std::string_view key) const;
 
   [[nodiscard]] Real number_of(const Node& node) const;
   [[nodiscard]] model::Vector3 vector_of(const Node& node) const;

@@ -1,7 +1,6 @@
 #include "description/scene_reader.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include <fmt/format.h>
 
@@ -242,22 +241,16 @@ class SceneReader {
     if (is_point) {
       constraint.curve = curve(fields.get("curve"), what);
     }
-    refuse_second(constraint.name, fields);
-    scene_.constraints.push_back(std::move(constraint));
-  }
-
-  void refuse_second(const std::string& name, const SceneFields& fields) const {
-    if (is_known(name, names_of(scene_.constraints))) {
+    if (index_of(scene_.constraints, constraint.name)) {
       fields.fail(fields.where(), "another constraint has this name; expected different names");
     }
+    scene_.constraints.push_back(std::move(constraint));
   }
 
   [[nodiscard]] int constraint(const SceneFields& fields, const Node& node) const {
     const std::string name = fields.scalar(node).text;
-    for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
-      if (scene_.constraints[k].name == name) {
-        return static_cast<int>(k);
-      }
+    if (const std::optional<int> found = index_of(scene_.constraints, name)) {
+      return *found;
     }
     fields.fail(node.where, fmt::format("constraint '{}' is not defined; expected one of "
                                         "'constraints'",
@@ -274,13 +267,11 @@ class SceneReader {
 
   [[nodiscard]] int phase(const SceneFields& fields, const char* key) const {
     const std::string name = fields.text(key).text;
-    const auto& phases = scene_.phases;
-    const auto found = std::ranges::find(phases, name, &model::Phase::name);
-    if (found == phases.end()) {
-      fields.fail(fields.get(key).where,
-                  fmt::format("phase '{}' is not defined; expected one of 'phases'", shown(name)));
+    if (const std::optional<int> found = index_of(scene_.phases, name)) {
+      return *found;
     }
-    return static_cast<int>(found - phases.begin());
+    fields.fail(fields.get(key).where,
+                fmt::format("phase '{}' is not defined; expected one of 'phases'", shown(name)));
   }
 
   void read_phases() {

@@ -43,7 +43,7 @@ struct Part {
   std::string what;
 
   [[noreturn]] void fail(const Place& where, const std::string& message) const {
-    throw InputError({file, where.line, where.column}, fmt::format("{}: {}", what, message));
+    throw InputError(where.in(file), fmt::format("{}: {}", what, message));
   }
 
   /// The only child of that name, or nullptr.
@@ -76,11 +76,6 @@ struct Part {
     }
     return {*value, of.where};
   }
-
-  [[nodiscard]] static std::optional<Text> optional_text(const Element& of, std::string_view key) {
-    const std::string* const value = of.attribute(key);
-    return value == nullptr ? std::nullopt : std::optional(Text{*value, of.where});
-  }
 };
 
 constexpr std::string_view kSpaces = " \t\r\n";
@@ -94,8 +89,8 @@ Text trimmed(Text text) {
 }
 
 std::optional<Text> optional_number(const Element& of, std::string_view key) {
-  const std::optional<Text> text = Part::optional_text(of, key);
-  return text ? std::optional(trimmed(*text)) : std::nullopt;
+  const std::string* const value = of.attribute(key);
+  return value == nullptr ? std::nullopt : std::optional(trimmed({*value, of.where}));
 }
 
 /// The numbers of an attribute such as xyz="0 0 1".
@@ -178,8 +173,7 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
     return;
   }
   const auto find = [&](const Place& where, const std::string& message) {
-    findings.push_back(
-        {{part.file, where.line, where.column}, fmt::format("{}: {}", part.what, message)});
+    findings.push_back({where.in(part.file), fmt::format("{}: {}", part.what, message)});
   };
   for (const Text& stray : element.strays) {
     if (is_known(stray.text, row->children)) {

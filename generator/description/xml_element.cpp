@@ -51,12 +51,12 @@ class ElementBuilder {
     const auto size = static_cast<int>(text.size());
     const XML_Status status = XML_Parse(parser_.get(), text.data(), size, XML_TRUE);
     if (problem_) {
-      throw InputError({file_, where_.line, where_.column}, *problem_);
+      throw InputError(where_.in(file_), *problem_);
     }
     if (status != XML_STATUS_OK) {
       const Place where = here();
       throw InputError(
-          {file_, where.line, where.column},
+          where.in(file_),
           fmt::format("{}; expected XML", XML_ErrorString(XML_GetErrorCode(parser_.get()))));
     }
     return std::move(root_);

@@ -161,7 +161,7 @@ class Events {
     const bool of_bytes = parser_.error == YAML_READER_ERROR;
     const Place where =
         of_bytes ? place_of_byte(text_, parser_.problem_offset) : place(parser_.problem_mark);
-    throw InputError({file_, where.line, where.column}, yaml_message(text_, where, problem));
+    throw InputError(where.in(file_), yaml_message(text_, where, problem));
   }
 
   const std::string& text_;
@@ -204,7 +204,7 @@ class NodeBuilder {
 
  private:
   [[noreturn]] void fail(const Place& where, const std::string& message) const {
-    throw InputError({file_, where.line, where.column}, message);
+    throw InputError(where.in(file_), message);
   }
 
   void refuse_properties(const yaml_event_t& event, const yaml_char_t* anchor,
@@ -324,7 +324,7 @@ Node parse_yaml_node(const std::string& text, const std::string& file, const std
     }
     if (event.type == YAML_DOCUMENT_START_EVENT && ++documents > 1) {
       const Place where = place(event.start_mark);
-      throw InputError({file, where.line, where.column}, "second document; expected one");
+      throw InputError(where.in(file), "second document; expected one");
     }
     builder.add(event);
   }

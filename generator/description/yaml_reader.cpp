@@ -61,10 +61,8 @@ void read_link(const Node& node, std::size_t index, RawTree& raw) {
     fields.fail(lone->key.where,
                 fmt::format("'{}' without a mass; expected mass too", lone->key.text));
   }
-  if (const Node* const runtime = fields.find("runtime")) {
-    for (const Node& item : fields.sequence(*runtime)) {
-      raw.runtime.push_back({link.name, fields.scalar(item)});
-    }
+  for (const Node& item : fields.list("runtime")) {
+    raw.runtime.push_back({link.name, fields.scalar(item)});
   }
   raw.links.push_back(std::move(link));
   raw.joints.push_back(std::move(joint));
@@ -74,10 +72,8 @@ void read_point(const Node& node, std::size_t index, RawTree& raw) {
   const Fields fields(raw.file, node, called("point", node, index),
                       {"name", "link", "at", "runtime"});
   raw.points.push_back({fields.text("name"), fields.text("link"), fields.numbers("at")});
-  if (const Node* const runtime = fields.find("runtime")) {
-    for (const Node& item : fields.sequence(*runtime)) {
-      raw.runtime.push_back({raw.points.back().name, fields.scalar(item), true});
-    }
+  for (const Node& item : fields.list("runtime")) {
+    raw.runtime.push_back({raw.points.back().name, fields.scalar(item), true});
   }
 }
 
@@ -85,7 +81,7 @@ void read_point(const Node& node, std::size_t index, RawTree& raw) {
 void refuse_scene(const Node& root, const std::string& file) {
   for (const Node& item : root.items) {
     if (item.key.text == "scene") {
-      throw InputError({file, item.key.where.line, item.key.where.column},
+      throw InputError(item.key.where.in(file),
                        "is a scene; expected a tree description; generate, check, outputs and "
                        "info take it as --scene");
     }
@@ -112,16 +108,12 @@ RawTree read_yaml(const std::string& text, const std::string& file) {
   for (std::size_t k = 0; k < links.size(); ++k) {
     read_link(links[k], k, raw);
   }
-  if (const Node* const runtime = fields.find("runtime")) {
-    for (const Node& item : fields.sequence(*runtime)) {
-      raw.runtime.push_back({{}, fields.scalar(item)});
-    }
+  for (const Node& item : fields.list("runtime")) {
+    raw.runtime.push_back({{}, fields.scalar(item)});
   }
-  if (const Node* const points = fields.find("points")) {
-    const std::vector<Node>& items = fields.sequence(*points);
-    for (std::size_t k = 0; k < items.size(); ++k) {
-      read_point(items[k], k, raw);
-    }
+  const std::vector<Node>& points = fields.list("points");
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    read_point(points[k], k, raw);
   }
   return raw;
 }

@@ -352,7 +352,7 @@ std::set<std::string> Translator::function(const std::string& line, bool is_loca
     result.push_back(is_prototype ? part : part.substr(0, done) + words(part.substr(done)));
     done = 0;
   }
-  result.insert(result.end(), unused.begin(), unused.end());
+  append(result, unused);
   return references;
 }
 
@@ -487,10 +487,7 @@ std::string Translator::source(const std::string& text) {
       }
       const std::string code =
           with_addresses(fmt::format("{}\n", fmt::join(body, "\n")), by_reference_);
-      for (const std::string& body_line :
-           lines_of(references.empty() ? code : with_pointers(code, references))) {
-        result.push_back(body_line);
-      }
+      append(result, lines_of(references.empty() ? code : with_pointers(code, references)));
       result.emplace_back("}");
     } else if (!line.empty() || !result.back().empty()) {  // frames leave no second blank line
       statement(lines, at, result);

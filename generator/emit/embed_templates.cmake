@@ -1,5 +1,5 @@
 # treedyn_embed_templates(OUTPUT): the files templates/*.in as text inside the program, so that it
-# runs from any place. One line here per file.
+# runs from any place.
 function(treedyn_embed_templates output)
   set(TEMPLATE_CASES "")
   foreach(name IN ITEMS report.html accuracy.html simulate.cpp generated_step.cpp model.hpp model.cpp order_of_sums.cpp sincos.cpp sine_cosine.cpp quadrant.cpp quadrant_of_lanes.cpp sines_cosines.cpp numeric.cpp check.cpp solve_rows.cpp step_semi_implicit_euler.cpp step_rk4.cpp step_dopri5.cpp

@@ -13,6 +13,7 @@
 #include "common/transformed.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "model/parameters.hpp"
 #include "model/scene_number.hpp"
 
 namespace treedyn::emit {
@@ -88,8 +89,8 @@ std::string components(const char* word, const std::vector<int>& which,
 
 /// What of one link: "mass, com x y, inertia zz".
 std::string parts_text(const std::map<ModelPart, std::vector<int>>& parts) {
-  constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-  constexpr std::array<const char*, 6> kEntries = {"xx", "xy", "xz", "yy", "yz", "zz"};
+  using model::kAxes;
+  using model::kEntries;
   std::vector<std::string> words;
   for (const auto& [part, which] : parts) {
     switch (part) {

@@ -49,17 +49,6 @@ std::string without_link_ending(const std::string& identifier) {
   return identifier;
 }
 
-}  // namespace
-
-std::string identifier_part(std::string_view text) {
-  std::string result(text);
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return !is_word_byte(c); }, '_');
-  return result;
-}
-
-namespace {
-
 /// True if a comment can hold character `k` of a text: it ends no comment and begins none, joins no
 /// lines, and is no command or tag of tools that read comments.
 bool is_harmless(std::string_view text, std::size_t k) {

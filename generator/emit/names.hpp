@@ -17,9 +17,6 @@ namespace treedyn::emit {
 /// Longest local: with it, a statement with two operands fits into 100 columns in any case.
 inline constexpr std::size_t kLongestLocal = 24;
 
-/// Every byte outside [A-Za-z0-9_] as `_`: a part of an identifier.
-std::string identifier_part(std::string_view text);
-
 /// `text` with `_` for every byte that is not harmless inside a comment, and for spaces but single
 /// ones between words; at most `longest` characters.
 std::string for_comment(std::string_view text, std::size_t longest);

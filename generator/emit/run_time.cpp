@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/transformed.hpp"
 #include "emit/json.hpp"
 #include "emit/layout.hpp"
 #include "emit/named_constants.hpp"
@@ -58,7 +59,7 @@ std::string nominal_values(const Unit& unit) {
   std::size_t width = 0;
   for (const model::Parameter& parameter : unit.tree->parameters) {
     const Real value = model::nominal(*unit.tree, unit.gravity, parameter);
-    values.push_back((value < 0 ? "-" : "") + literal(abs(value), unit.target.scalar) + ",");
+    values.push_back(literal(value, unit.target.scalar) + ",");
     width = std::max(width, values.back().size());
   }
   std::string result;
@@ -93,10 +94,8 @@ program::Array derived_array() {
 }
 
 std::vector<std::string> derived_names(const std::vector<Real>& numbers, const model::Tree& tree) {
-  std::vector<std::string> names;
-  std::ranges::transform(described(numbers, vocabulary(tree)), std::back_inserter(names),
-                         &DescribedNumber::name);
-  return names;
+  return transformed(described(numbers, vocabulary(tree)),
+                     [](const DescribedNumber& number) { return number.name; });
 }
 
 std::string parameter_types(const Unit& unit) {

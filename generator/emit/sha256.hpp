@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4) of the model file, for the manifest.
+// SHA-256 (FIPS 180-4), by which files and runs are told apart.
 #pragma once
 
 #include <string>

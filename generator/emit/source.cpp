@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "emit/header.hpp"
-#include "emit/layout.hpp"
 #include "emit/length_unit.hpp"
 #include "emit/limb_text.hpp"
 #include "emit/parts.hpp"

@@ -58,9 +58,7 @@ std::string dispatch(const Stepper& stepper) {
   std::vector<std::string> lines = {"switch (which) {"};
   for (const StepPhase& phase : stepper.phases) {
     lines.push_back(fmt::format("  case phase::{}: {{", phase.identifier));
-    for (const std::string& line : dynamics_lines(stepper, phase)) {
-      lines.push_back("    " + line);
-    }
+    append(lines, dynamics_lines(stepper, phase), "    ");
     append(lines, {"    return failed;", "  }"});
   }
   append(lines, {"  default:", "    break;", "}", "const Scalar none = Scalar(0) / (q[0] - q[0]);",

@@ -178,10 +178,6 @@ Lines halfway_lines(const Stepper& stepper, Scalar scalar) {
           fmt::format("  halfway[i] = {};", fmt::join(terms, " + ")), "}"};
 }
 
-}  // namespace
-
-namespace {
-
 /// The line that tells it, between two texts; empty where nothing is told.
 std::string told(const Stepper& stepper, program::Repeated what, const std::string& before,
                  const std::string& behind) {

@@ -16,11 +16,12 @@ inline constexpr const char* kDerivedOfMotion = "*motion.derived";
 /// A function's parameter that run-time parameters have become.
 std::string derived_parameter();
 
-/// A call of a local function: of the arguments those that it takes; what run-time parameters have
-/// become is that of a `motion`.
+/// Arguments of a local function.
 struct StateText {
   std::string q, qd, t, lambda;
 };
+/// A call of it: of the arguments those that it takes; what run-time parameters have become is that
+/// of a `motion`.
 std::string call(const program::Staged& staged, const StateText& state, const std::string& result);
 
 /// What depends on the phase `which`: a switch, or the lines of the only phase.

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
-#include <sstream>
 #include <string>
+#include <vector>
 
 #include "common/identifier.hpp"
 
@@ -36,15 +35,6 @@ constexpr std::string_view kMacros[] = {
     "DIGEST", "H",      "NOMINAL_PARAMETERS",
 };
 
-std::set<std::string, std::less<>> words_in(const std::string& text) {
-  std::istringstream stream(text);
-  std::set<std::string, std::less<>> words;
-  for (std::string word; stream >> word;) {
-    words.insert(word);
-  }
-  return words;
-}
-
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 /// kDof: k, a capital letter, and more.
@@ -72,8 +62,8 @@ bool is_own_name(std::string_view name) {
   const auto ends = [&](std::string_view ending) {
     return name.ends_with(ending);
   };
-  static const std::set<std::string, std::less<>> own = words_in(kOwn);
-  return own.contains(name) || is_constant(name) || is_macro(name) ||
+  static const std::vector<std::string> own = words_in(kOwn);
+  return std::ranges::find(own, name) != own.end() || is_constant(name) || is_macro(name) ||
          std::ranges::any_of(kBeginnings, begins) || std::ranges::any_of(kTypesOfC, ends);
 }
 

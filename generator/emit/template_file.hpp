@@ -1,4 +1,4 @@
-// C++ text with @slots@: the only place where the layout of a generated file is written down.
+// The text of templates/, with @slots@ filled.
 #pragma once
 
 #include <map>

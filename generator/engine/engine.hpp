@@ -16,7 +16,7 @@ namespace treedyn::engine {
 /// Evaluates the block expressions of equations/equations.hpp, and nothing else, so that generated
 /// code can be compared with the equations themselves.
 ///
-/// Scalar: float, double, long double, treedyn::Real, boost cpp_bin_float<100> (see engine.cpp).
+/// Scalar: float, double, long double, treedyn::Real, boost cpp_bin_float<100>.
 /// All functions take and return *independent* coordinates u: if mimic joints are reduced
 /// (model::Tree::drives), q = T u + q0, A_r = T^T A T, tau_r = T^T tau and so on; l_D and c_fD keep
 /// the links of the independent joints. Sizes and units: equations/table.hpp and EQUATIONS.md; N

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formulate/pass_switches.hpp"
@@ -13,7 +15,15 @@
 
 namespace treedyn::formulate {
 
+/// How forward dynamics solves, and its names, in their order.
 enum class ForwardDynamics { kCheapest, kFactor, kArticulated };
+inline constexpr std::array<std::string_view, 3> kForwardDynamics = {"cheapest", "factor",
+                                                                     "articulated"};
+/// \pre one of the names
+inline ForwardDynamics forward_dynamics_of(std::string_view name) {
+  return static_cast<ForwardDynamics>(std::ranges::find(kForwardDynamics, name) -
+                                      kForwardDynamics.begin());
+}
 
 struct Options {
   model::Vector3 gravity{};          ///< m/s^2, base frame

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "common/index.hpp"
+
 namespace treedyn::model {
 
 namespace {
@@ -17,18 +19,16 @@ class Groups {
     std::iota(leader_.begin(), leader_.end(), 0);
   }
 
-  void join(const Ends& ends) { leader_[place(leader(ends.first))] = leader(ends.second); }
+  void join(const Ends& ends) { leader_[to_index(leader(ends.first))] = leader(ends.second); }
   [[nodiscard]] bool together(const Ends& ends) const {
     return leader(ends.first) == leader(ends.second);
   }
 
  private:
-  static std::size_t place(int number) { return static_cast<std::size_t>(number); }
-
   [[nodiscard]] int leader(int link) const {
     int group = link == kGround ? static_cast<int>(leader_.size()) - 1 : link;
-    while (leader_[place(group)] != group) {
-      group = leader_[place(group)];
+    while (leader_[to_index(group)] != group) {
+      group = leader_[to_index(group)];
     }
     return group;
   }
@@ -70,10 +70,7 @@ int base_joints(const Scene& scene) {
 }  // namespace
 
 bool closes_loop(const Scene& scene, int constraint) {
-  const auto number = [](int i) {
-    return static_cast<std::size_t>(i);
-  };
-  const Constraint& c = scene.constraints[number(constraint)];
+  const Constraint& c = scene.constraints[to_index(constraint)];
   if (!joins_links(c)) {
     return false;
   }
@@ -85,10 +82,10 @@ bool closes_loop(const Scene& scene, int constraint) {
     }
     Groups groups(scene.tree.size());
     for (int link = base; link < scene.tree.size(); ++link) {
-      groups.join({link, scene.tree.links[number(link)].father});
+      groups.join({link, scene.tree.links[to_index(link)].father});
     }
     for (const int other : phase.active) {
-      const Constraint& o = scene.constraints[number(other)];
+      const Constraint& o = scene.constraints[to_index(other)];
       if (joins_links(o) && ends_of(scene, o) != ends) {
         groups.join(ends_of(scene, o));
       }

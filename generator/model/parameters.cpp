@@ -10,8 +10,6 @@ namespace treedyn::model {
 
 namespace {
 
-constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-constexpr std::array<const char*, 6> kEntries = {"xx", "xy", "xz", "yy", "yz", "zz"};
 /// Of these entries the places in a row-major matrix, and in its transpose.
 constexpr std::array<std::size_t, 6> kPlaces = {0, 1, 2, 4, 5, 8};
 constexpr std::array<std::size_t, 6> kMirrored = {0, 3, 6, 4, 7, 8};

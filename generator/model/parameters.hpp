@@ -1,6 +1,7 @@
 // Numbers of a tree that are known at run time only.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,10 @@
 #include "model/tree.hpp"
 
 namespace treedyn::model {
+
+/// Components of vectors and of symmetric tensors.
+inline constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+inline constexpr std::array<const char*, 6> kEntries = {"xx", "xy", "xz", "yy", "yz", "zz"};
 
 /// A kind of parameters, by the name with which it is declared, and one of its components or all.
 struct Declared {

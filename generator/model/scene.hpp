@@ -2,6 +2,7 @@
 // it: an empty list, a zero, `velocity_products` false.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -152,7 +153,15 @@ struct Phase {
   std::vector<JointForce> forces = {};  ///< that act in it alone
 };
 
+/// What is done about the drift of constraints, and its names, in their order.
 enum class Drift { kNone, kBaumgarte, kProjection };
+inline constexpr std::array<std::string_view, 3> kDriftNames = {"none", "baumgarte", "projection"};
+inline std::optional<Drift> drift_of(std::string_view name) {
+  const auto found = std::ranges::find(kDriftNames, name);
+  return found == kDriftNames.end()
+             ? std::nullopt
+             : std::optional(static_cast<Drift>(found - kDriftNames.begin()));
+}
 
 /// Shorter steps that look for an event, and events of one step, at most.
 inline constexpr int kMostCuts = 16;

@@ -166,8 +166,7 @@ std::vector<int> passive_joints(const Scene& scene) {
   for (int i = 0; i < scene.tree.dof(); ++i) {
     const bool driven = std::ranges::count(drives, i, &JointLaw::joint) > 0;
     const bool in_base = i < 6 && has_free_base(scene.tree);
-    const bool chosen = scene.actuated && std::find(scene.actuated->begin(), scene.actuated->end(),
-                                                    i) != scene.actuated->end();
+    const bool chosen = scene.actuated && std::ranges::count(*scene.actuated, i) > 0;
     if (scene.actuated ? !chosen : drives.empty() ? in_base : !driven) {
       result.push_back(i);
     }

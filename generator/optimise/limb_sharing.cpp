@@ -307,10 +307,6 @@ void renumber_columns(LimbCode& code, int c) {
   limb_class.columns = std::move(columns);
 }
 
-}  // namespace
-
-namespace {
-
 void optimise(LimbCode& code, const Effort& effort) {
   for (LimbPhase& phase : code.phases) {
     phase.function = fold_limb_constants(optimised(phase.function, effort), code.limbs);

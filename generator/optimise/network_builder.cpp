@@ -35,10 +35,6 @@ bool by_magnitude(Ref a, Ref b) {
   return std::abs(a) != std::abs(b) ? std::abs(a) < std::abs(b) : a < b;
 }
 
-}  // namespace
-
-namespace {
-
 /// The table of the last builder that is gone: soon the next one comes.
 struct SpareTable {
   std::vector<Ref> table;

@@ -24,15 +24,7 @@ std::string gravity_text(const model::Vector3& g) {
 }
 
 std::string forward_dynamics_text(formulate::ForwardDynamics choice) {
-  switch (choice) {
-    case formulate::ForwardDynamics::kCheapest:
-      break;
-    case formulate::ForwardDynamics::kFactor:
-      return "factor";
-    case formulate::ForwardDynamics::kArticulated:
-      return "articulated";
-  }
-  return "cheapest";
+  return std::string(formulate::kForwardDynamics[static_cast<std::size_t>(choice)]);
 }
 
 std::string base_text(description::Base base) {

@@ -35,7 +35,6 @@ class Terms {
   [[nodiscard]] VectorMap gamma_n() const { return {at(7), 3 * points_}; }  ///< 6.1
 
   [[nodiscard]] int dof() const { return dof_; }
-  [[nodiscard]] int points() const { return points_; }
   [[nodiscard]] Needs needs() const { return needs_; }
   [[nodiscard]] std::span<double> values() { return values_; }
   /// p, C, R, H, those that are needed, one behind the other.

@@ -190,9 +190,6 @@ void Forces::append_forces(const Terms& terms, const State& state, std::vector<d
       return value_at(force.point, variable, terms, state);
     }));
   }
-  if (contacts_.empty()) {
-    return;
-  }
   const auto p = terms.p();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const int at = 3 * contacts_[k].point();
@@ -212,9 +209,6 @@ double Forces::elastic_power(const Terms& terms, const State& state) const {
                       : Moving{terms.p()[at], v_[at]};
     };
     power += stored.value.evaluate<Moving>([](double x) { return Moving{x, 0}; }, moving).rate;
-  }
-  if (contacts_.empty()) {
-    return power;
   }
   const auto p = terms.p();
   for (const ContactLaw& contact : contacts_) {

@@ -37,7 +37,6 @@ class SemiImplicitEuler final : public Integrator {
     result.head(n) += h * result.tail(n);
     error.resize(0);
   }
-  [[nodiscard]] int error_order() const override { return 0; }
   [[nodiscard]] const std::vector<double>& weights() const override { return weights_; }
 
  private:
@@ -57,7 +56,6 @@ class Rk4 final : public Integrator {
     result = y + h / 6 * (k1_ + 2 * k2_ + 2 * k3_ + k4_);
     error.resize(0);
   }
-  [[nodiscard]] int error_order() const override { return 0; }
   [[nodiscard]] const std::vector<double>& weights() const override { return weights_; }
 
  private:
@@ -73,7 +71,6 @@ class FixedDopri5 final : public Integrator {
     method_->step(rate, t, h, y, result, error);
     error.resize(0);
   }
-  [[nodiscard]] int error_order() const override { return 0; }
   [[nodiscard]] const std::vector<double>& weights() const override { return method_->weights(); }
 
  private:
@@ -97,7 +94,6 @@ class Sdirk2 final : public Integrator {
     result = y + h * ((1 - gamma) * k1_ + gamma * k2_);
     error.resize(0);
   }
-  [[nodiscard]] int error_order() const override { return 0; }
   [[nodiscard]] const std::vector<double>& weights() const override { return weights_; }
 
  private:

@@ -23,7 +23,7 @@ class Integrator {
   virtual void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
                     Vector& error) = 0;
   /// Order of the error estimate, by which the step is chosen; 0: fixed steps only.
-  [[nodiscard]] virtual int error_order() const = 0;
+  [[nodiscard]] virtual int error_order() const { return 0; }
   /// One weight b for every call of `rate` in the last step: h sum b g(call) is the integral of a
   /// function g along the step by the method's own quadrature.
   [[nodiscard]] virtual const std::vector<double>& weights() const = 0;

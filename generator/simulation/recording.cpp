@@ -66,8 +66,9 @@ class Recorder {
     recording_.figure = figure_of(scene);
   }
 
-  /// The state now. \param at_time, phase  where it belongs
-  void add_row(int phase) {
+  /// The state now.
+  void add_row() {
+    const int phase = simulator_.phase();
     if (!recording_.rows.empty() && recording_.rows.back().t == simulator_.time() &&
         recording_.rows.back().phase == phase && recorded_events_ == simulator_.events().size()) {
       return;  // a row of the table right before an event
@@ -192,20 +193,20 @@ Recording record(const model::Scene& scene, Simulator& simulator, double output_
   const auto duration = static_cast<double>(scene.duration);
   const double end = start + duration;
   std::size_t events = simulator.events().size();
-  simulator.show_at(output_step, [&] { recorder.add_row(simulator.phase()); });
+  simulator.show_at(output_step, [&] { recorder.add_row(); });
   try {
-    recorder.add_row(simulator.phase());
+    recorder.add_row();
     const bool arrived = simulator.advance_to(end, [&] {
       recorder.look();
       if (simulator.events().size() != events) {
         events = simulator.events().size();
-        recorder.add_row(simulator.phase());
+        recorder.add_row();
       }
       return progress((simulator.time() - start) / duration);
     });
     recorder.recording().stopped = arrived ? "" : "interrupted";
     if (recorder.recording().rows.back().t < simulator.time()) {
-      recorder.add_row(simulator.phase());
+      recorder.add_row();
     }
   } catch (const std::runtime_error& problem) {
     recorder.recording().stopped = problem.what();
@@ -217,7 +218,7 @@ Recording record_states(const model::Scene& scene, Simulator& simulator,
                         const std::function<bool(const ShowState&, const LookAtState&)>& drive) {
   Recorder recorder(scene, simulator);
   const auto show = [&](const std::vector<double>& reactions) {
-    recorder.add_row(simulator.phase());
+    recorder.add_row();
     std::vector<double>& values = recorder.recording().rows.back().values;
     std::ranges::copy(reactions, values.begin() + 2 * scene.tree.dof());
   };

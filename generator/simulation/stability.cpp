@@ -252,9 +252,7 @@ Stability stability_at(const model::Scene& scene, System& system, double t, cons
   Eigen::VectorXcd lambdas = M.eigenvalues();
   std::ranges::sort(lambdas,
                     [](const Complex& a, const Complex& b) { return std::abs(a) > std::abs(b); });
-  for (const Complex& lambda : lambdas) {
-    result.fastest = std::abs(lambda) > std::abs(result.fastest) ? lambda : result.fastest;
-  }
+  result.fastest = lambdas[0];
   for (const IntegratorRow& row : integrators()) {
     const std::unique_ptr<Integrator> integrator = row.make();
     result.limits.push_back({std::string(row.name),

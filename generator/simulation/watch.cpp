@@ -26,9 +26,6 @@ double Watch::value(System& system, double t, const Vector& y) const {
 }
 
 double Watch::slope(System& system, const Vector& y) const {
-  if (!is_height()) {
-    return 0;
-  }
   const Eigen::Index n = system.dof();
   const auto C = system.geometry(y.head(n)).C().middleCols<3>(3 * point);
   return (C * plane.normal()).dot(y.tail(n));

@@ -38,7 +38,7 @@ struct Watch {
 
   /// The function in a state y = (q; qd).
   double value(System& system, double t, const Vector& y) const;
-  /// Its rate in time; 0 where `is_height` is false.
+  /// Its rate in time. \pre is_height()
   double slope(System& system, const Vector& y) const;
   [[nodiscard]] bool is_height() const { return kind == Kind::kEvent || kind == Kind::kContact; }
   /// True for what ends a phase when it becomes negative.

@@ -7,13 +7,13 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
 #include "common/error.hpp"
+#include "common/identifier.hpp"
 
 namespace treedyn {
 
@@ -36,11 +36,6 @@ std::string temporary_path() {
   const std::string path = fs::absolute(folder).string();
   ::setenv("TMPDIR", path.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread; for compilers
   return path + "/treedyn-XXXXXX";
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 }  // namespace
@@ -88,7 +83,7 @@ bool succeeds(std::vector<std::string> words, const std::string& output) {
 std::vector<std::string> find_compiler(const std::string& scratch) {
   const char* const chosen = std::getenv("CXX");  // NOLINT(concurrency-mt-unsafe): one thread
   for (const char* const candidate : {chosen != nullptr ? chosen : "", "c++", "g++", "clang++"}) {
-    std::vector<std::string> compiler = words_of(candidate);
+    std::vector<std::string> compiler = words_in(candidate);
     std::vector<std::string> version = compiler;
     version.emplace_back("--version");
     if (!compiler.empty() && succeeds(version, scratch)) {
