@@ -101,9 +101,10 @@ void Monitor::row_equations(const System& system, double t, double h) {
     const char* const unit = row.is_angular ? "1/s^2" : "m/s^2";
     note({"residual", names_[row.name], t, lacks, bounds_.residual_warning * (terms + row.scale),
           unit,
-          fmt::format("constraint '{}' lacks {:.3g} {} of its acceleration at t = {:.6g} s: no "
-                      "motion meets all rows that act",
-                      names_[row.name], lacks, unit, t)});
+          fmt::format("constraint '{}' lacks {:.3g} {} of its acceleration at t = {:.6g} s: the "
+                      "motion does not meet all rows that act, of which {} of {} count as "
+                      "independent",
+                      names_[row.name], lacks, unit, t, solution.rank, solution.residuals.size())});
     lost_[row.name] += lacks * h;
     if (lost_[row.name] > bounds_.residual_end * row.scale) {
       throw std::runtime_error(fmt::format(
