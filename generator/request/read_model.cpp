@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -32,19 +33,6 @@ namespace {
 /// Base name and digest of what was read.
 Source source_of(const std::string& path, const std::string& text) {
   return {std::filesystem::path(path).filename().string(), emit::sha256(text)};
-}
-
-/// A model file, read once.
-struct Loaded {
-  Source source;
-  std::string text;
-  model::Tree tree;
-};
-
-Loaded load(const Request& request) {
-  const std::string text = description::read_model_text(request.model);
-  return {source_of(request.model, text), text,
-          description::parse_model(text, request.model, request.read)};
 }
 
 /// The functions asked for, in the order of INTERFACE.md 3. By default those that every robot has,
@@ -129,23 +117,37 @@ void check_inertia(const Model& model) {
 
 /// Friction that sticks is told by phases, which only steps change.
 void check_scene(const model::Scene& scene, const Location& where) {
-  for (const model::DryFriction& friction : scene.frictions) {
-    if (!scene.sticking.empty()) {
-      return;
-    }
-    const std::string& joint = scene.tree.moved_by(friction.joint).joint.name;
-    if (!model::step_method(scene)) {
-      throw InputError(where,
-                       fmt::format("coulomb friction of joint '{}' sticks, which takes a generated "
-                                   "step; expected a slip_speed, or an integrator out of {}",
-                                   shown(joint), fmt::join(model::step_method_names(), ", ")));
-    }
-    if (formulate::sticking_phases(scene) > formulate::kMostStickingPhases) {
-      throw InputError(where,
-                       fmt::format("coulomb friction of joint '{}' and others sticks in more "
-                                   "than {} phases of a generated step; expected a "
-                                   "slip_speed",
-                                   shown(joint), formulate::kMostStickingPhases));
+  if (scene.frictions.empty() || !scene.sticking.empty()) {
+    return;
+  }
+  const std::string& joint = scene.tree.moved_by(scene.frictions.front().joint).joint.name;
+  if (!model::step_method(scene)) {
+    throw InputError(where,
+                     fmt::format("coulomb friction of joint '{}' sticks, which takes a generated "
+                                 "step; expected a slip_speed, or an integrator out of {}",
+                                 shown(joint), fmt::join(model::step_method_names(), ", ")));
+  }
+  if (formulate::sticking_phases(scene) > formulate::kMostStickingPhases) {
+    throw InputError(where, fmt::format("coulomb friction of joint '{}' and others sticks in more "
+                                        "than {} phases of a generated step; expected a "
+                                        "slip_speed",
+                                        shown(joint), formulate::kMostStickingPhases));
+  }
+}
+
+/// A generated step counts its steps in an int.
+void check_counts(const model::Scene& scene) {
+  const Real most = Real(std::numeric_limits<int>::max() - 2) * scene.stepping.step;
+  for (const model::Phase& phase : scene.phases) {
+    for (const model::Event& event : phase.until) {
+      if (model::step_method(scene) && event.not_before > most) {
+        throw InputError(
+            scene.stepping.where,
+            fmt::format("phase '{}': {:.6g} s are more steps of {:.6g} s than "
+                        "an int counts; expected longer steps, or up to {:.6g} s",
+                        shown(phase.name), static_cast<double>(event.not_before),
+                        static_cast<double>(scene.stepping.step), static_cast<double>(most)));
+      }
     }
   }
 }
@@ -166,6 +168,9 @@ void check_step(const Model& model) {
     throw InputError(model.scene->stepping.where,
                      "function 'step': sdirk2 keeps no compensated state; expected rk4, "
                      "dopri5-fixed or semi-implicit-euler");
+  }
+  if (made) {
+    check_counts(*model.scene);
   }
 }
 
@@ -357,9 +362,9 @@ Model read(const Request& request) {
     return read_scene_model(request);
   }
   Model model;
-  Loaded loaded = load(request);
-  model.source = std::move(loaded.source);
-  model.tree = std::move(loaded.tree);
+  const std::string text = description::read_model_text(request.model);
+  model.source = source_of(request.model, text);
+  model.tree = description::parse_model(text, request.model, request.read);
   const Location where{request.model, 0, 0};
   if (!model.tree.parameters.empty()) {
     refuse_parameters(request, request.model);
@@ -372,7 +377,7 @@ Model read(const Request& request) {
   take_places(model.points, model.tree);
   require_size(model.tree, model.points, where);
   model.equations =
-      chosen(read_user_equations(request, request.model, loaded.text, model.tree, model.points),
+      chosen(read_user_equations(request, request.model, text, model.tree, model.points),
              request.functions, model.tree);
   model.functions = functions_of(request, model.tree, !model.points.empty());
   check_functions(model, where);
@@ -411,9 +416,9 @@ std::vector<Warning> places_without_effect(const Model& model, const Location& w
     }
     const std::string& name = model.tree.points[static_cast<std::size_t>(parameter.link)].name;
     if (std::ranges::find(model.points, name, &model::Point::name) == model.points.end()) {
-      result.push_back({where, fmt::format("--points leaves point '{}' out; what is known of it at "
-                                           "run time changes nothing",
-                                           shown(name))});
+      result.push_back({where, fmt::format("{} leaves point '{}' out; what is known of it at run "
+                                           "time changes nothing",
+                                           model.scene ? "the scene" : "--points", shown(name))});
     }
   }
   return result;
@@ -442,7 +447,8 @@ std::vector<Warning> rebounds_without_rest(const model::Scene& scene, const Loca
 
 std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   std::vector<Warning> warnings = model.tree.warnings;
-  for (Warning& place : places_without_effect(model, {request.model, 0, 0})) {
+  for (Warning& place :
+       places_without_effect(model, {request.scene.value_or(request.model), 0, 0})) {
     warnings.push_back(std::move(place));
   }
   if (request.share_limbs && formulate::find_limbs(model.tree).empty()) {

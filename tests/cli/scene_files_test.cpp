@@ -35,6 +35,41 @@ TEST_F(Cli, SaysWhichWayAnExpressionCrossesZero) {
   }
 }
 
+/// A counter of steps is an int: 2^31 of them are 24.9 days of milliseconds.
+TEST_F(Cli, RefusesPhasesOfMoreStepsThanCanBeCounted) {
+  const auto generated = [&](const std::string& time) {
+    const std::string scene = scratch("long.yaml");
+    write_file(scene, "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                      "/models/two_link.yaml\nphases:\n  - {name: a, until: [{time: " +
+                          time +
+                          ", then: b}]}\n  - {name: b}\nduration: 1\n"
+                          "stepping: {integrator: rk4, step: 1e-3}\n");
+    return treedyn(
+        {"generate", "--scene", scene, "--functions", "step", "--effort", "0", "-o", out()});
+  };
+  EXPECT_EQ(generated("2e6").status, 0);
+  for (const std::string time : {"3e6", "1e20"}) {
+    const Outcome outcome = generated(time);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("long.yaml:7:24: phase 'a': "));
+    EXPECT_THAT(outcome.err, HasSubstr(" s are more steps of 0.001 s than an int counts; expected "
+                                       "longer steps, or up to 2.14748e+06 s"));
+  }
+}
+
+TEST_F(Cli, NamesTheSceneThatLeavesAPointOut) {
+  write_file(scratch("bob.model.yaml"),
+             "name: bob\nlinks:\n  - {name: rod, father: ground, joint: {name: pivot, type: "
+             "revolute, axis: [0, 1, 0]}, mass: 1, com: [0, 0, -1]}\n"
+             "points:\n  - {name: bob, link: rod, at: [0, 0, -1], runtime: [at]}\n");
+  const std::string scene = scratch("bob.yaml");
+  write_file(scene,
+             "scene: s\nmodel: bob.model.yaml\neffects: {gravity: [0, 0, -9.81]}\n"
+             "duration: 1\n");
+  EXPECT_THAT(treedyn({"generate", "--scene", scene, "--effort", "0", "-o", out()}).err,
+              HasSubstr(scene + ": warning: the scene leaves point 'bob' out"));
+}
+
 TEST_F(Cli, SaysWhereRowsOfAStepDrift) {
   const std::string held = "point_constraint: [{point: ball, along: [z]}]";
   const std::string led = "locked_joint: [{joint: height, at: sin(5*t)}]";
