@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "block/print.hpp"
+#include "block/rewrite.hpp"
 #include "common/error.hpp"
 
 namespace treedyn::block {
@@ -84,11 +85,7 @@ Shape skew_shape(const Expression& a) {
 }
 
 Expression make(Kind kind, const Shape& shape, std::vector<Expression> operands) {
-  Node node;
-  node.kind = kind;
-  node.shape = shape;
-  node.operands = std::move(operands);
-  return Expression(std::move(node));
+  return Expression({.kind = kind, .shape = shape, .operands = std::move(operands)});
 }
 
 void append(std::vector<Expression>& list, Kind kind, const Expression& a) {
@@ -108,10 +105,6 @@ void append_factor(std::vector<Expression>& factors, const Expression& a, bool b
   } else {
     append(factors, Kind::kProduct, a);
   }
-}
-
-const Expression& unnamed(const Expression& a) {
-  return a.kind() == Kind::kNamed ? unnamed(a.operands().front()) : a;
 }
 
 Ratio lowest(std::int64_t numerator, std::int64_t denominator) {
@@ -135,12 +128,7 @@ std::string to_string(const Shape& shape) {
 Expression::Expression(Node node) : node_(std::make_shared<const Node>(std::move(node))) {}
 
 Expression leaf(const std::string& name, Structure structure, const Shape& shape) {
-  Node node;
-  node.kind = Kind::kLeaf;
-  node.shape = shape;
-  node.name = name;
-  node.structure = structure;
-  return Expression(std::move(node));
+  return Expression({.shape = shape, .name = name, .structure = structure});
 }
 
 Ratio multiply(const Ratio& a, const Ratio& b) {
@@ -155,12 +143,8 @@ Ratio add(const Ratio& a, const Ratio& b) {
 }
 
 Expression named(const std::string& name, const Expression& expression) {
-  Node node;
-  node.kind = Kind::kNamed;
-  node.shape = expression.shape();
-  node.name = name;
-  node.operands = {expression};
-  return Expression(std::move(node));
+  return Expression(
+      {.kind = Kind::kNamed, .shape = expression.shape(), .name = name, .operands = {expression}});
 }
 
 Expression operator+(const Expression& a, const Expression& b) {
@@ -194,12 +178,8 @@ Expression operator*(const Ratio& factor, const Expression& a) {
     total = multiply(total, a.node().factor);
     scaled = a.operands().front();
   }
-  Node node;
-  node.kind = Kind::kScaled;
-  node.shape = a.shape();
-  node.factor = total;
-  node.operands = {scaled};
-  return Expression(std::move(node));
+  return Expression(
+      {.kind = Kind::kScaled, .shape = a.shape(), .factor = total, .operands = {scaled}});
 }
 
 Expression operator-(const Expression& a) { return -1 * a; }

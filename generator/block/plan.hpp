@@ -44,7 +44,6 @@ class Plan {
   };
 
   int append(Step step);
-  int intern(const Key& key, Step step);
   int constant(Step step);
   int finish(const Key& key, Step step);
   [[nodiscard]] std::vector<const Step*> operands(const std::vector<int>& ids) const;

@@ -22,6 +22,25 @@ Expression push_into_product(const std::vector<Expression>& factors) {
 
 }  // namespace
 
+bool is_leaf(const Expression& e, std::string_view name) {
+  return e.kind() == Kind::kLeaf && e.node().name == name;
+}
+
+bool holds(const Expression& e, std::string_view name) {
+  return is_leaf(e, name) ||
+         std::ranges::any_of(e.operands(), [&](const Expression& x) { return holds(x, name); });
+}
+
+const Expression& unnamed(const Expression& e) {
+  return e.kind() == Kind::kNamed ? unnamed(e.operands().front()) : e;
+}
+
+Expression product_of(std::vector<Expression>::const_iterator begin,
+                      std::vector<Expression>::const_iterator end) {
+  return std::accumulate(begin + 1, end, *begin,
+                         [](const Expression& a, const Expression& b) { return a * b; });
+}
+
 Expression push_transpose(const Expression& e) {
   const std::vector<Expression>& x = e.operands();
   switch (e.kind()) {

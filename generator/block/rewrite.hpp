@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "block/block.hpp"
@@ -17,6 +18,13 @@ Expression push_transpose(const Expression& e);
 
 /// True if only the tree decides the values: sums, products, .. of D, E, sigma, W and ones.
 bool constant_expression(const Expression& e);
+
+/// The leaf of that name.
+bool is_leaf(const Expression& e, std::string_view name);
+/// True if the leaf stands anywhere in e.
+bool holds(const Expression& e, std::string_view name);
+/// What a name stands for.
+const Expression& unnamed(const Expression& e);
 
 /// A matrix of 1x1 blocks.
 bool has_numbers(const Expression& e);
@@ -34,6 +42,10 @@ Expression with_operand(const Expression& e, const Expression& x);
 
 /// e where leaves of these names are zero; nothing where all of it is.
 std::optional<Expression> without(const Expression& e, const std::set<std::string>& zeros);
+
+/// The product of some factors, at least one.
+Expression product_of(std::vector<Expression>::const_iterator begin,
+                      std::vector<Expression>::const_iterator end);
 
 /// Appends the factors of a product, names and nested products opened, to `factors` and multiplies
 /// `factor` by the rational factors.

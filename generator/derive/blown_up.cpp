@@ -7,6 +7,7 @@ namespace treedyn::derive {
 namespace {
 
 using block::Expression;
+using Factor = std::vector<Expression>::const_iterator;
 
 /// True if e (or e^T) makes vectors of numbers.
 bool makes_vectors(const Expression& e, bool transposed) {

@@ -22,14 +22,6 @@ Type type_of(const block::Shape& block) {
                                 : Type::kTensor;
 }
 
-const Expression& unnamed(const Expression& e) {
-  return e.kind() == Kind::kNamed ? unnamed(e.operands().front()) : e;
-}
-
-bool is_leaf(const Expression& e, const char* name) {
-  return e.kind() == Kind::kLeaf && e.node().name == name;
-}
-
 bool is_minus(const Expression& e, const char* name) {
   return e.kind() == Kind::kScaled && e.node().factor == Ratio{-1, 1} &&
          is_leaf(unnamed(e.operands().front()), name);
@@ -92,11 +84,6 @@ bool is_sum_of_words(const Expression& P) {
 }
 
 }  // namespace
-
-Expression product_of(Factor begin, Factor end) {
-  return std::accumulate(begin + 1, end, *begin,
-                         [](const Expression& a, const Expression& b) { return a * b; });
-}
 
 bool is_diagonal(const Expression& e) {
   const Structure structure = e.node().structure;
@@ -266,8 +253,7 @@ int Columns::skew_of_product(Factors factors, bool transposed, int x) {
   const Factors left(factors.begin(), begin);
   const Factors right(end, factors.end());
   if (!left.empty() || !right.empty()) {
-    const Expression core = std::accumulate(
-        begin + 1, end, *begin, [](const Expression& a, const Expression& b) { return a * b; });
+    const Expression core = product_of(begin, end);
     const int inner = product(transposed ? left : right, transposed, x);
     return algebra_.note(Rule::kSkewPasses, product(transposed ? right : left, transposed,
                                                     skew(core, transposed, inner)));
@@ -277,24 +263,18 @@ int Columns::skew_of_product(Factors factors, bool transposed, int x) {
     Terms result;
     for (const Expression& term : terms) {
       *v = term;
-      const Expression whole =
-          std::accumulate(factors.begin() + 1, factors.end(), factors.front(),
-                          [](const Expression& a, const Expression& b) { return a * b; });
-      result.emplace_back(Ratio{}, skew(whole, transposed, x));
+      result.emplace_back(Ratio{}, skew(product_of(factors.begin(), factors.end()), transposed, x));
     }
     return algebra_.linear(result);
   }
-  const Expression whole =
-      std::accumulate(factors.begin() + 1, factors.end(), factors.front(),
-                      [](const Expression& a, const Expression& b) { return a * b; });
+  const Expression whole = product_of(factors.begin(), factors.end());
   const bool word =
       factors.front().kind() == Kind::kSkew || factors.front().kind() == Kind::kSkewTranspose;
   if (transposed || !word || begin == v || v - begin != 1 || !is_diagonal(*v) ||
       !is_sum_of_words(factors.front().operands().front())) {
     return by_components(whole, transposed, x);
   }
-  const Expression u = std::accumulate(
-      v + 1, end, *v, [](const Expression& a, const Expression& b) { return a * b; });
+  const Expression u = product_of(v, end);
   // Λ(Λ(P) u) x = (P×u)×x = x×(u×P)
   const int theta = algebra_.skew_product(x, narrow(u, u.shape().cols.set));
   const int result =

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "block/block.hpp"
+#include "block/rewrite.hpp"
 #include "derive/algebra.hpp"
 
 namespace treedyn::derive {
@@ -59,9 +60,5 @@ class Columns {
 
 /// E, or a block diagonal made of block diagonals.
 bool is_diagonal(const block::Expression& e);
-
-using Factor = std::vector<block::Expression>::const_iterator;
-/// \pre not empty
-block::Expression product_of(Factor begin, Factor end);
 
 }  // namespace treedyn::derive

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "block/rewrite.hpp"
 #include "derive/derive.hpp"
 
 namespace treedyn::derive {
@@ -9,15 +10,6 @@ namespace {
 
 using block::Expression;
 using block::Kind;
-
-bool is_leaf(const Expression& e, const std::string& name) {
-  return e.kind() == Kind::kLeaf && e.node().name == name;
-}
-
-bool holds(const Expression& e, const std::string& name) {
-  return is_leaf(e, name) ||
-         std::ranges::any_of(e.operands(), [&](const Expression& f) { return holds(f, name); });
-}
 
 using Sum = std::vector<std::pair<Ratio, Expression>>;
 
@@ -55,10 +47,7 @@ std::optional<Expression> factor_of(const Sum& terms, const std::string& unknown
     return std::nullopt;
   }
   const std::vector<Expression>& f = one.front().second.operands();
-  Expression matrix = f.front();
-  for (std::size_t k = 1; k + 1 < f.size(); ++k) {
-    matrix = matrix * f[k];
-  }
+  const Expression matrix = product_of(f.begin(), f.end() - 1);
   return is_leaf(f.back(), unknown) && !holds(matrix, unknown) ? std::optional(matrix)
                                                                : std::nullopt;
 }

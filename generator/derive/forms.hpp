@@ -1,4 +1,4 @@
-// The values of single links in their cheapest forms: pattern -> replacement (F2 to F5).
+// The values of single links in their cheapest forms: pattern -> replacement (F2 to F8).
 #pragma once
 
 #include <vector>

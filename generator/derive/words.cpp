@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "block/print.hpp"
+#include "block/rewrite.hpp"
 #include "derive/columns.hpp"
 #include "derive/value.hpp"
 
@@ -194,10 +195,7 @@ bool refers_to_places(const std::vector<Expression>& word) {
 bool refers_to_places(const Expression& e) { return any_refers(e, {}, {}); }
 
 std::string to_text(const Word& word) {
-  Expression whole = word.factors.front();
-  for (std::size_t k = 1; k < word.factors.size(); ++k) {
-    whole = whole * word.factors[k];
-  }
+  const Expression whole = product_of(word.factors.begin(), word.factors.end());
   return block::print(word.factor == block::Ratio{} ? whole : word.factor * whole);
 }
 

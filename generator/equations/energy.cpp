@@ -4,15 +4,13 @@
 #include <string_view>
 #include <vector>
 
+#include "block/rewrite.hpp"
+
 namespace treedyn::equations {
 namespace {
 
 using block::Expression;
 using block::Kind;
-
-bool is_leaf(const Expression& e, std::string_view name) {
-  return e.kind() == Kind::kLeaf && e.node().name == name;
-}
 
 bool is_number(const Expression& e) { return e.shape() == block::Shape{}; }
 
@@ -34,11 +32,6 @@ bool has_at_end(const Expression& e, bool begins, std::string_view name) {
   }
 }
 
-bool has(const Expression& e, std::string_view name) {
-  return is_leaf(e, name) ||
-         std::ranges::any_of(e.operands(), [&](const auto& x) { return has(x, name); });
-}
-
 bool has_cross_products(const Expression& e) {
   return e.kind() == Kind::kSkew || e.kind() == Kind::kSkewTranspose ||
          std::ranges::any_of(e.operands(), has_cross_products);
@@ -49,8 +42,8 @@ bool is_kinetic(const Expression& e) {
 }
 
 bool is_potential(const Expression& e) {
-  return (has_at_end(e, true, "g") || has_at_end(e, false, "g")) && has(e, "m^d") &&
-         !has(e, "z^d") && !has_cross_products(e);
+  return (has_at_end(e, true, "g") || has_at_end(e, false, "g")) && holds(e, "m^d") &&
+         !holds(e, "z^d") && !has_cross_products(e);
 }
 
 }  // namespace
@@ -70,10 +63,7 @@ bool has_form_of_energy(const Expression& number) {
       if (last - first < 1) {
         return std::ranges::any_of(x, has_form_of_energy);
       }
-      Expression inner = *first;
-      for (auto factor = first + 1; factor < last; ++factor) {
-        inner = inner * *factor;
-      }
+      const Expression inner = product_of(first, last);
       return is_kinetic(inner) || is_potential(inner);
     }
     default:

@@ -93,9 +93,6 @@ Expression applied_force() {
       "Q", force_jacobian_transpose(points()) * f_b + moment_jacobian_transpose(points()) * n_b);
 }
 
-// E7
-Expression moment_of_forces() { return named("n_f", skew(t_d) * f_b); }
-
 // (1) without external forces
 Expression inverse_dynamics() {
   return named("τ", mass_matrix() * qdd + bias_force() + gravity_force());

@@ -64,9 +64,6 @@ Expression moment_jacobian_transpose(const Attached& at);
 /// (8) C f_b + H n_b, N.
 Expression applied_force();
 
-/// n_f = Λ(t^d) f_b, 3P: moments of the forces about P_i (E7: the Λ is missing in print).
-Expression moment_of_forces();
-
 /// (1) A q̈ + B + G, N, with gravity on the left-hand side.
 Expression inverse_dynamics();
 Expression forward_dynamics();

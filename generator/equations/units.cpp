@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "block/rewrite.hpp"
+
 namespace treedyn::equations {
 namespace {
 
@@ -105,10 +107,6 @@ Units diagonal(const Units& a) {
   return result;
 }
 
-bool is_leaf(const Expression& e, const char* name) {
-  return e.kind() == Kind::kLeaf && e.node().name == name;
-}
-
 std::string power(const char* name, int exponent) {
   return exponent == 1 ? name : fmt::format("{}^{}", name, exponent);
 }
@@ -149,11 +147,12 @@ std::string to_string(const Unit& unit) {
 
 std::string to_string(const Units& units) {
   std::vector<std::string> texts;
-  for (const auto& [i, j] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 0), std::pair(1, 1)}) {
-    const auto& unit = units[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    const std::string text = unit ? to_string(*unit) : "";
-    if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
-      texts.push_back(text);
+  for (const auto& row : units) {
+    for (const auto& unit : row) {
+      const std::string text = unit ? to_string(*unit) : "";
+      if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
+        texts.push_back(text);
+      }
     }
   }
   return fmt::format("{}", fmt::join(texts, "|"));

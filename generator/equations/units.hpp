@@ -55,7 +55,6 @@ class UnitReader {
  private:
   [[nodiscard]] Units of_leaf(const block::Expression& e) const;
   Units of_sum(const block::Expression& e);
-  [[nodiscard]] Units column(const Unit& revolute, const Unit& prismatic) const;
   [[nodiscard]] Units uniform(const block::Expression& e, const Unit& unit) const;
 
   JointKinds kinds_;

@@ -12,9 +12,8 @@
 namespace treedyn::formulate {
 
 const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> names = [] {
-    return transformed<std::string>(equations::functions(), &equations::Equation::name);
-  }();
+  static const std::vector<std::string> names =
+      transformed<std::string>(equations::functions(), &equations::Equation::name);
   return names;
 }
 

@@ -54,8 +54,7 @@ class NormalForms {
  public:
   /// The frames of `limbs` are turned by half turns so that as many constants as possible are those
   /// of the first limb of the class; `sign` is the first limb's.
-  NormalForms(const model::Tree& tree, const Vector3& gravity,
-              const std::vector<LimbLinks>& limbs = {});
+  NormalForms(const model::Tree& tree, const Vector3& gravity, const std::vector<LimbLinks>& limbs);
 
   /// \pre variant.links has one entry per link.
   NormalTree of(const Variant& variant);
@@ -74,8 +73,8 @@ class NormalForms {
 
 /// One of them.
 inline NormalTree normal_form(const model::Tree& tree, const Vector3& gravity,
-                              const Variant& variant, const std::vector<LimbLinks>& limbs = {}) {
-  return NormalForms(tree, gravity, limbs).of(variant);
+                              const Variant& variant) {
+  return NormalForms(tree, gravity, {}).of(variant);
 }
 
 /// The link that carries the body of a free base.

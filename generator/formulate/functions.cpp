@@ -33,7 +33,7 @@ Variant plain_variant(const model::Tree& tree) {
 
 namespace {
 
-/// The coordinates of limbs count with the signs of `limbs`.
+/// The coordinates of limbs count with the signs that `normal` gives those of limbs.
 model::Tree with_signs(model::Tree tree, const NormalTree& normal) {
   for (std::size_t i = 0; i < tree.drives.size(); ++i) {
     tree.drives[i].multiplier *= normal.links[i].coordinate_sign;

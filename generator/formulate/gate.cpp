@@ -64,7 +64,7 @@ class Gate {
   }
 
  private:
-  /// Before the passes, without and with the trunk.
+  /// Before the passes, with the trunk and, where there is one, without.
   void note_plain(bool articulated);
   /// Against the formulation that the function may have come from.
   [[nodiscard]] double amplification(const program::Function& function) const;

@@ -102,11 +102,6 @@ class Kinematics {
   [[nodiscard]] const Vec3& offset(int i) const { return offset_[index(i)]; }
   /// The same without the slide.
   [[nodiscard]] const Vec3& joint_offset(int i) const { return joint_offset_[index(i)]; }
-  /// The rotations between link i and its father, outermost first; empty inside a run of parallel
-  /// axes.
-  [[nodiscard]] const std::vector<PlaneRotation>& rotations(int i) const {
-    return rotations_[index(i)];
-  }
   /// True if link i shares the expression frame of its father.
   [[nodiscard]] bool shares_frame(int i) const {
     return head_[index(i)] != i && head_[index(i)] >= 0;

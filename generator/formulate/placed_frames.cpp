@@ -31,6 +31,7 @@ class Workbench {
   NormalLink& link(int i) { return tree_.links[to_index(i)]; }
   [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[to_index(i)]; }
 
+  void rotate(int i, const Matrix3& q);
   void turn_half(int i);
   void slide(int i, const Real& distance);
   void turn(int i, const Turn& turn);
@@ -47,13 +48,8 @@ class Workbench {
   NormalTree tree_;
 };
 
-/// Rotates the frame of link i by `t` about its own axis.
-void Workbench::turn(int i, const Turn& t) {
-  if (t.is_identity()) {
-    return;
-  }
+void Workbench::rotate(int i, const Matrix3& q) {
   NormalLink& l = link(i);
-  const Matrix3 q = about_z(t);
   l.rotation = clean(multiply(l.rotation, q));
   l.moment = multiply_transposed(q, l.moment);
   l.pseudo = congruence(transpose(q), l.pseudo);
@@ -64,19 +60,17 @@ void Workbench::turn(int i, const Turn& t) {
   }
 }
 
+/// Rotates the frame of link i by `t` about its own axis.
+void Workbench::turn(int i, const Turn& t) {
+  if (!t.is_identity()) {
+    rotate(i, about_z(t));
+  }
+}
+
 /// Turns the frame of link i by pi about x: its axis then points the other way.
 void Workbench::turn_half(int i) {
-  NormalLink& l = link(i);
-  const Matrix3 q = {1, 0, 0, 0, -1, 0, 0, 0, -1};
-  l.rotation = clean(multiply(l.rotation, q));
-  l.moment = multiply(q, l.moment);
-  l.pseudo = congruence(q, l.pseudo);
-  l.to_normal = clean(multiply(q, l.to_normal));
-  l.sign = -l.sign;
-  for (const int son : l.sons) {
-    link(son).rotation = clean(multiply(q, link(son).rotation));
-    link(son).offset = multiply(q, link(son).offset);
-  }
+  rotate(i, {1, 0, 0, 0, -1, 0, 0, 0, -1});
+  link(i).sign = -link(i).sign;
 }
 
 /// Moves the origin of revolute link i by `distance` along its axis.

@@ -23,10 +23,6 @@ bool has_inverse_dynamics(const model::Scene& scene, const PhaseState& state) {
   return rows_of(scene, state.active) > 0 && !passive_joints(scene).empty();
 }
 
-bool wants(const std::vector<std::string>& wanted, const std::string& name) {
-  return wanted.empty() || std::ranges::find(wanted, name) != wanted.end();
-}
-
 /// The functions of a scene that are wanted, formulated at the same time.
 class SceneTasks {
  public:
@@ -51,7 +47,9 @@ class SceneTasks {
 
  private:
   [[nodiscard]] const model::Scene& scene() const { return formulator_.scene(); }
-  [[nodiscard]] bool is_wanted(const std::string& name) const { return wants(wanted_, name); }
+  [[nodiscard]] bool is_wanted(const std::string& name) const {
+    return wanted_.empty() || std::ranges::find(wanted_, name) != wanted_.end();
+  }
   void add_rows();
   void add_phase(const PhaseState& state);
   void add_events();

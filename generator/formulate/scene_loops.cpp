@@ -4,6 +4,7 @@
 #include <span>
 
 #include "common/index.hpp"
+#include "formulate/constrained.hpp"
 #include "formulate/scene_rank.hpp"
 #include "formulate/scene_steps.hpp"
 #include "model/loops.hpp"
@@ -24,12 +25,8 @@ bool is_redundant(const Scene& scene, const ScenePositions& positions, int const
     if (std::ranges::find(phase.active, constraint) == phase.active.end()) {
       return false;
     }
-    std::size_t rows = 0;
-    for (const int c : phase.active) {
-      rows += scene.constraints[to_index(c)].rows();
-    }
     const program::OrdinaryRows ordinary = positions.ordinary(phase.active);
-    return ordinary.holds && to_index(ordinary.rank) < rows;
+    return ordinary.holds && ordinary.rank < rows_of(scene, phase.active);
   });
 }
 

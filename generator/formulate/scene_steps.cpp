@@ -154,7 +154,7 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
   StepOutcome result;
   const std::vector<int> active = active_behind(scene_, states_[state], event, at_rest);
   result.then = find_state(states_, event.then, active);
-  if (event.impact && !event.impact->constraints.empty()) {
+  if (strikes(event)) {
     const ImpactName wanted{event.impact->constraints,
                             at_rest ? Real(0) : event.impact->restitution, ""};
     const std::vector<ImpactName> all = impacts_of(scene_);

@@ -9,8 +9,6 @@
 namespace treedyn::formulate {
 namespace {
 
-constexpr std::size_t kSize = 3;
-
 /// x of M x = v, row by row: each has one unknown left.
 Vec3 substituted(Graph& graph, const Mat3& M, Vec3 v, int body) {
   Vec3 x;

@@ -15,7 +15,8 @@ class ConstantTable {
   /// The index of `value`. \pre it is seen as no negative number, and not 0
   int find_or_add(const Real& value);
   [[nodiscard]] const Real& value(int index) const { return values_[to_index(index)]; }
-  /// Indices of a product and of the magnitude of a sum, kept because passes ask again and again.
+  [[nodiscard]] int size() const { return static_cast<int>(values_.size()); }
+  /// The index of a product, kept because passes ask again and again.
   int product(int a, int b);
 
  private:

@@ -17,9 +17,7 @@ struct Choice {
 
 class Expansion {
  public:
-  explicit Expansion(Network& network) : network_(network), size_(network.size()) {
-    collect(uses(network));
-  }
+  explicit Expansion(Network& network) : network_(network) { collect(uses(network)); }
 
   void expand(Random& random) {
     if (choices_.empty()) {
@@ -40,12 +38,11 @@ class Expansion {
   void multiply_out(int product, Random& random);
 
   Network& network_;
-  int size_;
   std::vector<Choice> choices_;
 };
 
 void Expansion::collect(const std::vector<int>& count) {
-  for (int k = 1; k < size_; ++k) {
+  for (int k = 1; k < network_.size(); ++k) {
     const Kind kind = network_.item(k).kind;
     if (count[static_cast<std::size_t>(k)] == 0 ||
         (kind != Kind::kAdd && kind != Kind::kMultiply)) {

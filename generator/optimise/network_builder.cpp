@@ -111,10 +111,8 @@ Ref NetworkBuilder::constant(const Real& value) {
   if (value == 0) {
     return 0;
   }
-  Item item;
-  item.first = network_.constants().find_or_add(abs(value));
-  item.position = 0;
-  return value < 0 ? -leaf(item) : leaf(item);
+  const Ref magnitude = leaf({Kind::kConstant, network_.constants().find_or_add(abs(value)), 0, 0});
+  return value < 0 ? -magnitude : magnitude;
 }
 
 /// x + x becomes 2 x, x - x vanishes.
@@ -206,10 +204,7 @@ bool NetworkBuilder::multiply_constants(std::vector<Ref>& factors) {
   }
   std::erase_if(factors, [&](Ref factor) { return network_.is_constant(factor); });
   if (!is_one || factors.empty()) {
-    Item item;
-    item.first = index;
-    item.position = 0;
-    factors.push_back(leaf(item));
+    factors.push_back(leaf({Kind::kConstant, index, 0, 0}));
   }
   return true;
 }

@@ -24,7 +24,6 @@ class NetworkBuilder {
   Ref quotient(Ref a, Ref b, int position);
   Ref function(Kind kind, Ref a, int position);
 
-  [[nodiscard]] const Network& network() const { return network_; }
   /// Takes the network out. The builder is empty afterwards.
   Network finish(std::vector<Ref> outputs);
 

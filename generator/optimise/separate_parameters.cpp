@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "common/recipe.hpp"
 #include "optimise/constants.hpp"
@@ -17,24 +18,9 @@ bool is_parameter(const Graph& graph, Ref k) {
   return graph.node(k).kind == Kind::kConstant && graph.value(k).recipe() != 0;
 }
 
-/// The numbers of all functions that have recipes, each once.
-class DerivedNumbers {
- public:
-  int index_of(const Real& value) {
-    const int index = table_.find_or_add(value);
-    count_ = std::max(count_, index + 1);
-    return index;
-  }
-  [[nodiscard]] int count() const { return count_; }
-  [[nodiscard]] const Real& value(int index) const { return table_.value(index); }
-
- private:
-  ConstantTable table_;
-  int count_ = 0;
-};
-
 /// The same function, its numbers with recipes elements of the argument behind the others.
-Function separated(const Function& from, DerivedNumbers& numbers) {
+/// \param numbers  of all functions that have recipes, each once
+Function separated(const Function& from, ConstantTable& numbers) {
   Function result = from;
   result.graph = Graph();
   result.outputs.clear();
@@ -42,7 +28,7 @@ Function separated(const Function& from, DerivedNumbers& numbers) {
   std::vector<Ref> copies(from.graph.size(), 0);
   for (const Ref k : reachable(from.graph, from.outputs)) {
     const Ref copy = is_parameter(from.graph, k)
-                         ? result.graph.input(array, numbers.index_of(from.graph.value(k)))
+                         ? result.graph.input(array, numbers.find_or_add(from.graph.value(k)))
                          : copy_node(from.graph, k, copies, result.graph);
     copies[static_cast<std::size_t>(k)] = copy;
     result.graph.set_hint(copy, from.graph.hint(k));
@@ -61,9 +47,8 @@ class UpdateWriter {
   Expr write(int recipe) {
     note(recipe);
     for (auto& [number, expression] : known_) {  // ascending: operands come first
-      if (!written_.contains(number)) {
+      if (written_.insert(number).second) {
         expression = operation(treedyn::recipe(number));
-        written_[number] = true;
       }
     }
     return of(recipe);
@@ -118,7 +103,7 @@ class UpdateWriter {
 
   Graph& graph_;
   std::map<int, Expr> known_;
-  std::map<int, bool> written_;
+  std::set<int> written_;
 };
 
 }  // namespace
@@ -131,7 +116,7 @@ bool depends_on_parameters(const Function& function) {
 Separated separate_parameters(const std::vector<Function*>& functions, const Array& parameters,
                               const Array& derived,
                               const std::function<bool(const Function&)>& takes) {
-  DerivedNumbers numbers;
+  ConstantTable numbers;
   std::vector<Function*> changed;
   for (Function* const function : functions) {
     if (depends_on_parameters(*function)) {
@@ -144,18 +129,18 @@ Separated separate_parameters(const std::vector<Function*>& functions, const Arr
   Function update;
   std::vector<Real> elements;
   UpdateWriter writer(update.graph);
-  for (int k = 0; k < numbers.count(); ++k) {
+  for (int k = 0; k < numbers.size(); ++k) {
     elements.push_back(numbers.value(k));
     update.outputs.push_back(writer.write(elements.back().recipe()).ref());
   }
   Array sized = derived;
-  sized.size = numbers.count();
+  sized.size = numbers.size();
   for (Function* const function : changed) {
     function->signature.inputs.push_back(sized);
   }
   update.signature.inputs = {parameters};
   update.signature.outputs = {sized};
-  return {numbers.count() > 0 ? optimised(update, {.quotients = Quotients::kApart}) : update,
+  return {numbers.size() > 0 ? optimised(update, {.quotients = Quotients::kApart}) : update,
           elements};
 }
 

@@ -80,7 +80,7 @@ std::string update_command(const Request& request, const std::string& folder);
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request);
 
 /// A Make rule: the outputs depend on the inputs, each of which has an empty rule (as of gcc -MP),
-/// so that make goes on where one is gone. \throws InputError for a line break in a path
+/// so that make goes on where one is gone. \throws InputError for a control character in a path
 std::string depfile_text(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& inputs);
 
