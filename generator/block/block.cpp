@@ -85,7 +85,11 @@ Shape skew_shape(const Expression& a) {
 }
 
 Expression make(Kind kind, const Shape& shape, std::vector<Expression> operands) {
-  return Expression({.kind = kind, .shape = shape, .operands = std::move(operands)});
+  Node node;
+  node.kind = kind;
+  node.shape = shape;
+  node.operands = std::move(operands);
+  return Expression(std::move(node));
 }
 
 void append(std::vector<Expression>& list, Kind kind, const Expression& a) {
@@ -128,7 +132,12 @@ std::string to_string(const Shape& shape) {
 Expression::Expression(Node node) : node_(std::make_shared<const Node>(std::move(node))) {}
 
 Expression leaf(const std::string& name, Structure structure, const Shape& shape) {
-  return Expression({.shape = shape, .name = name, .structure = structure});
+  Node node;
+  node.kind = Kind::kLeaf;
+  node.shape = shape;
+  node.name = name;
+  node.structure = structure;
+  return Expression(std::move(node));
 }
 
 Ratio multiply(const Ratio& a, const Ratio& b) {
@@ -143,8 +152,12 @@ Ratio add(const Ratio& a, const Ratio& b) {
 }
 
 Expression named(const std::string& name, const Expression& expression) {
-  return Expression(
-      {.kind = Kind::kNamed, .shape = expression.shape(), .name = name, .operands = {expression}});
+  Node node;
+  node.kind = Kind::kNamed;
+  node.shape = expression.shape();
+  node.name = name;
+  node.operands = {expression};
+  return Expression(std::move(node));
 }
 
 Expression operator+(const Expression& a, const Expression& b) {
@@ -178,8 +191,12 @@ Expression operator*(const Ratio& factor, const Expression& a) {
     total = multiply(total, a.node().factor);
     scaled = a.operands().front();
   }
-  return Expression(
-      {.kind = Kind::kScaled, .shape = a.shape(), .factor = total, .operands = {scaled}});
+  Node node;
+  node.kind = Kind::kScaled;
+  node.shape = a.shape();
+  node.factor = total;
+  node.operands = {scaled};
+  return Expression(std::move(node));
 }
 
 Expression operator-(const Expression& a) { return -1 * a; }

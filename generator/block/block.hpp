@@ -73,11 +73,11 @@ class Expression;
 
 struct Node {
   Kind kind = Kind::kLeaf;
-  Shape shape = {};
-  std::string name = {};                       ///< leaves and named expressions
+  Shape shape;
+  std::string name;                            ///< leaves and named expressions
   Structure structure = Structure::kIdentity;  ///< leaves
-  Ratio factor = {};                           ///< kScaled
-  std::vector<Expression> operands = {};
+  Ratio factor;                                ///< kScaled
+  std::vector<Expression> operands;
 };
 
 /// A block-matrix expression. Size rule (EQUATIONS.md 2): a matrix of 1x1 blocks that stands where

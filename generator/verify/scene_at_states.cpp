@@ -22,10 +22,6 @@ namespace treedyn {
 
 namespace {
 
-Real dot(const Values& a, const Values& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
-}
-
 /// What arguments are filled with.
 struct StateSource {
   program::Random random = program::Random(7);

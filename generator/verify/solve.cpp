@@ -8,6 +8,10 @@
 
 namespace treedyn {
 
+Real dot(const Values& a, const Values& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
+}
+
 Real largest(const Values& values) {
   return std::accumulate(
       values.begin(), values.end(), Real(0),
@@ -57,35 +61,41 @@ Solution solved(Matrix s, Values b, const Real& least) {
   return result;
 }
 
-Solution least_squares(const Matrix& K, const Values& b) {
-  const std::size_t n = b.size();
-  const auto dot = [](const Values& x, const Values& y) {
-    return std::inner_product(x.begin(), x.end(), y.begin(), Real(0));
-  };
+namespace {
+
+/// The columns of L of K = L L^T. \param[out] least  the smallest pivot
+Matrix factored(const Matrix& K, Real& least) {
   Matrix rest = K;
-  Matrix columns;  // of L
-  Solution result{Values(n), 1};
+  Matrix columns;
   const auto share = [&](std::size_t i) {  // of its own diagonal entry
     return K[i][i] > 0 ? Real(rest[i][i] / K[i][i]) : Real(0);
   };
-  while (columns.size() < n) {
+  while (columns.size() < K.size()) {
     std::size_t p = 0;
-    for (std::size_t i = 1; i < n; ++i) {
+    for (std::size_t i = 1; i < K.size(); ++i) {
       p = share(i) > share(p) ? i : p;
     }
     if (!(share(p) > Real("1e-25"))) {
       break;
     }
-    result.least = std::min(result.least, share(p));
+    least = std::min(least, share(p));
     const Real root = sqrt(rest[p][p]);
-    columns.push_back(transformed<Real>(rest[p], [&](const Real& x) { return x / root; }));
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        rest[i][j] =
-            i == p || j == p ? Real(0) : Real(rest[i][j] - columns.back()[i] * columns.back()[j]);
+    const Values column = transformed<Real>(rest[p], [&](const Real& x) { return x / root; });
+    for (std::size_t i = 0; i < K.size(); ++i) {
+      for (std::size_t j = 0; j < K.size(); ++j) {
+        rest[i][j] = i == p || j == p ? Real(0) : Real(rest[i][j] - column[i] * column[j]);
       }
     }
+    columns.push_back(column);
   }
+  return columns;
+}
+
+}  // namespace
+
+Solution least_squares(const Matrix& K, const Values& b) {
+  Solution result{Values(b.size()), 1};
+  const Matrix columns = factored(K, result.least);
   const Matrix squared = transformed<Values>(columns, [&](const Values& column) {
     return transformed<Real>(columns, [&](const Values& other) { return dot(column, other); });
   });
@@ -96,7 +106,7 @@ Solution least_squares(const Matrix& K, const Values& b) {
     result.least = std::min(result.least, once.least);
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < b.size(); ++i) {
       result.x[i] += columns[k][i] * along[k];
     }
   }

@@ -10,6 +10,7 @@ namespace treedyn {
 using Values = std::vector<Real>;
 using Matrix = std::vector<Values>;  ///< row by row
 
+Real dot(const Values& a, const Values& b);
 /// The largest magnitude; 0 of none.
 Real largest(const Values& values);
 
