@@ -99,6 +99,7 @@ std::string Real::str(std::streamsize digits, std::ios_base::fmtflags flags) con
 }
 
 Real Real::operator-() const { return {-value_, -seen_, differs_, -recipe_}; }
+
 template <class Operation>
 Real Real::made(RecipeKind kind, const Real& a, const Real& b, Operation operation) {
   Real result = map(a, b, operation);

@@ -1,7 +1,6 @@
 #include "derive/columns.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "block/rewrite.hpp"

@@ -1,6 +1,7 @@
 // The effects of a scene file.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <utility>

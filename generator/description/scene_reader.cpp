@@ -1,6 +1,7 @@
 #include "description/scene_reader.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 

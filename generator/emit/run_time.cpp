@@ -1,7 +1,6 @@
 #include "emit/run_time.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 

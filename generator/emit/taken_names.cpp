@@ -1,7 +1,6 @@
 #include "emit/taken_names.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -150,7 +150,7 @@ program::Function Gate::without_culprits() const {
 }
 
 program::Function Gate::run() const {
-  const Writer write = search_(tree_, recipe_, options_);
+  Writer write = search_(tree_, recipe_, options_);
   program::Function function = noted(write(0), {});
   const double refused = function.rounding.amplification;
   const int seeds = refused <= kNearly * kMostAmplification && options_.effort > 0 &&
@@ -163,6 +163,7 @@ program::Function Gate::run() const {
   if (is_accurate(function)) {
     return function;
   }
+  write = nullptr;  // with all that its searches keep
   program::Function better = without_culprits();
   better.rounding.refused = refused;
   return better;

@@ -189,6 +189,7 @@ class Kinematics {
   std::vector<Vec3> joint_offset_;
   mutable Bodies bodies_;
   mutable Bodies bodies_with_inertia_tensor_;
+  /// Between a link and its father, outermost first; none inside a run of parallel axes.
   std::vector<std::vector<PlaneRotation>> rotations_;
   bool is_from_trunk_ = false;
   Vec3 ground_turning_;

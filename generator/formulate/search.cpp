@@ -1,8 +1,8 @@
 #include "formulate/search.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/parallel.hpp"
@@ -44,8 +44,12 @@ class MethodSearch {
     metres_.metres = true;
   }
 
-  void run() { search_.run(); }
-  [[nodiscard]] int best_cost() const { return search_.best_cost(); }
+  void run() {
+    search_.run();
+    best_cost_ = search_.best_cost();
+  }
+  /// Before units of length are tried.
+  [[nodiscard]] int best_cost() const { return best_cost_; }
   /// What `run` has found, in another unit of length than the metre only if it pays.
   [[nodiscard]] program::Function result(int seed);
 
@@ -55,6 +59,7 @@ class MethodSearch {
   const Options options_;
   Options metres_;
   VariantSearch search_;
+  int best_cost_ = 0;
   std::optional<VariantSearch> in_metres_;
 };
 

@@ -135,14 +135,22 @@ void check_scene(const model::Scene& scene, const Location& where) {
   }
 }
 
+/// Of a scene without `stepping` the scene.
+Location place_of(const model::Stepping& stepping, const Location& of_scene) {
+  return stepping.where.file.empty() ? of_scene : stepping.where;
+}
+
 /// A generated step counts its steps in an int.
-void check_counts(const model::Scene& scene) {
+void check_counts(const model::Scene& scene, const Location& where) {
+  if (!model::step_method(scene)) {
+    return;
+  }
   const Real most = Real(std::numeric_limits<int>::max() - 2) * scene.stepping.step;
   for (const model::Phase& phase : scene.phases) {
     for (const model::Event& event : phase.until) {
-      if (model::step_method(scene) && event.not_before > most) {
+      if (event.not_before > most) {
         throw InputError(
-            scene.stepping.where,
+            where,
             fmt::format("phase '{}': {:.6g} s are more steps of {:.6g} s than "
                         "an int counts; expected longer steps, or up to {:.6g} s",
                         shown(phase.name), static_cast<double>(event.not_before),
@@ -153,24 +161,25 @@ void check_counts(const model::Scene& scene) {
 }
 
 /// A step that was asked for needs an integrator whose steps are of a fixed length.
-void check_step(const Model& model) {
+void check_step(const Model& model, const Location& of_scene) {
   const std::vector<std::string>& wanted = model.scene_functions;
   const bool asked = std::ranges::find(wanted, "step") != wanted.end();
+  const Location where = place_of(model.scene->stepping, of_scene);
   if (asked && !model::step_method(*model.scene)) {
-    throw InputError(model.scene->stepping.where,
+    throw InputError(where,
                      fmt::format("function 'step': integrator '{}' is not for generated code; "
                                  "expected {}",
                                  shown(model.scene->stepping.integrator),
                                  fmt::join(model::step_method_names(), ", ")));
   }
-  const bool made = asked || wanted.empty();
+  const bool made = asked || (wanted.empty() && model.functions.empty());
   if (made && model.scene->stepping.compensated && model.scene->stepping.integrator == "sdirk2") {
-    throw InputError(model.scene->stepping.where,
+    throw InputError(where,
                      "function 'step': sdirk2 keeps no compensated state; expected rk4, "
                      "dopri5-fixed or semi-implicit-euler");
   }
   if (made) {
-    check_counts(*model.scene);
+    check_counts(*model.scene, where);
   }
 }
 
@@ -181,7 +190,7 @@ void refuse_step_options(const StepChoice& choice, const model::Scene& scene,
   const model::Stepping& stepping = scene.stepping;
   if (given && !model::step_method(scene)) {
     throw InputError(
-        stepping.where.file.empty() ? Location{file, 0, 0} : stepping.where,
+        place_of(stepping, {file, 0, 0}),
         fmt::format("integrator '{}' is not for generated code, and --step, --cuts "
                     "and --state are of its step; expected --integrator with {}",
                     shown(stepping.integrator), fmt::join(model::step_method_names(), ", ")));
@@ -221,7 +230,7 @@ void check_impacts(const Model& model, const Location& where) {
 
 void require_step(const Model& model, const Location& where) {
   check_scene(*model.scene, where);
-  check_step(model);
+  check_step(model, where);
   check_impacts(model, where);
 }
 
@@ -326,7 +335,7 @@ Model read_scene_model(const Request& request) {
   require_size(model.tree, model.points, {*request.scene, 0, 0});
   check_functions(model, {*request.scene, 0, 0});
   check_inertia(model);
-  check_step(model);
+  check_step(model, {*request.scene, 0, 0});
   refuse_step_options(request.stepping, *model.scene, *request.scene);
   check_impacts(model, {*request.scene, 0, 0});
   formulate::settle_loops(*model.scene);

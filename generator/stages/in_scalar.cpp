@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,9 +28,9 @@ void for_each_function(const program::Programs& programs, Check check) {
 constexpr double kFloatLoses = 1e-2;
 
 /// What the rounding of K in float does to the solution of K x = b, as a part of it: that of an
-/// entry, over the smallest pivot of ordinary states.
+/// entry, over the smallest pivot of ordinary states, in the best of them.
 double error_of_rows(const program::RowSolve& solve) {
-  constexpr double kRounding = std::numeric_limits<float>::epsilon() / 2;
+  constexpr double kRounding = 0x1p-24;
   return solve.least > 0 ? solve.rows * kRounding / solve.least : 0;
 }
 
@@ -79,11 +78,12 @@ std::vector<Warning> float_warnings(const program::Programs& programs, emit::Sca
       if (error > kFloatLoses) {
         result.push_back(
             {where,
-             fmt::format("function '{}': in float the forces of constraints are off by {:.1g} "
-                         "of their size or rows are lost (status rank_lost), as a row depends "
-                         "on the others but for {:.1g} of its own size; expected double, or "
-                         "masses and points that tell the rows apart",
-                         staged.signature.name, std::min(error, 1.0), solve.least)});
+             fmt::format(
+                 "function '{}': in float forces (or impulses) of constraints are off by {:.1g} "
+                 "of their size or rows are lost (status rank_lost), as a row depends "
+                 "on the others but for {:.1g} of its own size; expected double, or "
+                 "masses and points that tell the rows apart",
+                 staged.signature.name, std::min(error, 1.0), solve.least)});
       }
     }
   }

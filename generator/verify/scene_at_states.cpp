@@ -259,6 +259,16 @@ Real acceleration_by(const SceneEquations& equations, const std::vector<SceneEqu
   return sqrt(n * trace * trace_of_inverse(equations)) * size;
 }
 
+/// What rows are beside: their terms and, where accelerations are small for the forces that make
+/// them, those by the rounding of the equation of motion, which no pivot of the rows enlarges.
+/// \param of_motion  the sizes of its terms
+Real sizes_of_rows(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
+                   const Residual& error, const Real& of_motion, const Real& least) {
+  const bool suffices = largest(error.left) <= error.sizes * Real("1e-34");
+  return suffices ? error.sizes
+                  : Real(error.sizes + least * acceleration_by(equations, rows, of_motion));
+}
+
 /// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
 /// J A^-1 J^T error = 0, as parts of the largest entry of this matrix.
 Values reachable_error(const program::Staged& staged, const SceneEquations& equations,
@@ -317,7 +327,7 @@ void check_impact(const model::Scene& scene, const program::Staged& staged, Stat
   const std::string& name = staged.signature.name;
   require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
   require_small(name, "row", reachable_error(staged, equations, rows, error.left),
-                error.sizes + acceleration_by(equations, rows, motion.sizes), of_inertia * least);
+                sizes_of_rows(equations, rows, error, motion.sizes, least), of_inertia * least);
 }
 
 /// What rows want.
@@ -377,7 +387,7 @@ bool check_constrained(const model::Scene& scene, const program::Staged& staged,
   const Real of_inertia = least_pivot(equations);
   require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
   require_small(name, "row", reachable_error(staged, equations, rows, error.left),
-                error.sizes + acceleration_by(equations, rows, motion.sizes), of_inertia * least);
+                sizes_of_rows(equations, rows, error, motion.sizes, least), of_inertia * least);
   return true;
 }
 

@@ -1,7 +1,6 @@
 #include "verify/solve.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 #include "common/transformed.hpp"

@@ -55,6 +55,18 @@ TEST_F(Cli, RefusesPhasesOfMoreStepsThanCanBeCounted) {
     EXPECT_THAT(outcome.err, HasSubstr(" s are more steps of 0.001 s than an int counts; expected "
                                        "longer steps, or up to 2.14748e+06 s"));
   }
+  const std::string scene = scratch("long.yaml");  // as the last one left it
+  EXPECT_EQ(treedyn({"generate", "--scene", scene, "--functions", "mass_matrix", "--effort", "0",
+                     "-o", out()})
+                .status,
+            0);
+  write_file(scene, "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                    "/models/two_link.yaml\nphases:\n  - {name: a, until: [{time: 3e6, then: "
+                    "b}]}\n  - {name: b}\nduration: 1\n");
+  EXPECT_THAT(treedyn({"generate", "--scene", scene, "--integrator", "rk4", "--step", "1e-3",
+                       "--functions", "step", "-o", out()})
+                  .err,
+              HasSubstr("long.yaml: phase 'a': "));
 }
 
 TEST_F(Cli, NamesTheSceneThatLeavesAPointOut) {

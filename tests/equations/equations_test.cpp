@@ -59,8 +59,6 @@ TEST(ReactionRows, ReadLikeTheirSource) {
   EXPECT_EQ(block::to_string(reaction_jacobian_transpose().shape()), "N×r");
 }
 
-TEST(MomentOfForces, CarriesTheSkewMatrixThatPrintLeavesOut) {}
-
 TEST(GravityForce, IsForceAtCentresOfMass) {
   EXPECT_EQ(print_definition(gravity_force()), "G = -C(c_ii) m^d g");
 }
