@@ -40,9 +40,6 @@ void require_solution(const model::Tree& tree, const std::string& function);
 /// The request with the gravity and the base that a scene decides.
 Request decided_request(const Model& model, Request request);
 
-/// \throws InputError if the scene of a model has no generated `step`
-void require_step(const Model& model, const Location& where);
-
 /// The files that were read; standard input is none.
 std::vector<std::string> input_files(const Model& model, const Request& request);
 

@@ -7,6 +7,7 @@
 #include "formulate/scene_steps.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "model/scene_facts.hpp"
+#include "request/step_checks.hpp"
 #include "stages/in_scalar.hpp"
 
 namespace treedyn {
