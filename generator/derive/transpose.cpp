@@ -130,18 +130,22 @@ class Transposer {
     const auto x = std::ranges::find_if(v.operands, [this](int y) { return has_subtrees(y); });
     for (auto y = v.operands.begin(); y != v.operands.end(); ++y) {
       if (y != x) {
-        const bool vectors =
-            values_[*y].type == Type::kVector && values_[factor].type == Type::kVector;
-        factor = vectors ? algebra_.dot(*y, factor) : algebra_.scale(*y, factor);
+        factor = times(*y, factor);
       }
     }
     add(*x, kPlus, factor);
   }
 
+  /// a·b of two vectors, or of a number and what it scales.
+  int times(int a, int b) {
+    const bool vectors = values_[a].type == Type::kVector && values_[b].type == Type::kVector;
+    return vectors ? algebra_.dot(a, b) : algebra_.scale(a, b);
+  }
+
   /// 1^T (factor·x).
   int collected(int factor, int x) {
     if (values_[x].set == Set::kOne) {
-      return algebra_.scale(factor, x);
+      return times(factor, x);
     }
     return algebra_.sum_along(Op::kCollect, Set::kOne, product(factor, x));
   }
@@ -153,7 +157,7 @@ class Transposer {
       return algebra_.of_terms(x, [&](int term) { return product(a, term); });
     }
     if (v.op != Op::kCross) {
-      return v.type == Type::kVector ? algebra_.dot(a, x) : algebra_.scale(a, x);
+      return times(a, x);
     }
     std::array<int, 3> three = {a, v.operands[0], v.operands[1]};
     const auto last = [this](int y) {

@@ -117,12 +117,13 @@ std::string reduction(const Approximation& a, const Target& target) {
   return text;
 }
 
-/// True if the text calls the function of this name.
+/// True if the code of the text, not a comment, calls the function of this name.
 bool calls(const std::string& text, const std::string& name) {
   const std::string call = name + "(";
   for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
     const char before = at == 0 ? ' ' : text[at - 1];
-    if (before == ' ' || before == '(' || before == '-') {
+    const std::size_t line = text.rfind('\n', at) + 1;  // 0 in the first one
+    if ((before == ' ' || before == '(' || before == '-') && text.find("//", line) > at) {
       return true;
     }
   }

@@ -180,6 +180,14 @@ TEST(Derived, MultipliesVectorsOfTheUserByNumbersMadeOfVectors) {
 }
 
 /// The size rule by hand.
+/// A vector of the user stands on both sides of a sum over links, and alone.
+TEST(Derived, ProjectsOnAVectorOfTheUser) {
+  for (const char* const text :
+       {"T(x) * (x * T(qd) * tau + x * T(qd) * B)", "T(x) * (x * T(qd) * (tau - G) + x)"}) {
+    expect_derived(text, turning_shapes(), {{"x", "", 3, {}}});
+  }
+}
+
 TEST(Engine, MultipliesVectorsByNumbersMadeOfVectors) {
   UserRobot robot(turning_shapes()[1]);
   const auto product = robot.read("T(J_w) * J_d * J_w * r");
