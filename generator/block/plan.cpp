@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "block/association.hpp"
 #include "block/rewrite.hpp"
 #include "common/error.hpp"
@@ -10,6 +12,9 @@
 
 namespace treedyn::block {
 namespace {
+
+/// Matrices in one product: their order is found in cubic time and quadratic memory.
+constexpr std::size_t kMostFactors = 200;
 
 int count(const Index& index, Set set) {
   switch (set) {
@@ -338,6 +343,10 @@ int Plan::path_sum(const PathSum& sum, int matrix, int x) {
 }
 
 int Plan::chain(const std::vector<int>& factors) {
+  if (factors.size() > kMostFactors) {
+    throw TooLarge(fmt::format("multiplies {} matrices in one product; expected at most {}",
+                               factors.size(), kMostFactors));
+  }
   std::vector<Factor> matrices;
   matrices.reserve(factors.size());
   for (const int f : factors) {

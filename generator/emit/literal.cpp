@@ -14,8 +14,8 @@ template <class T>
 std::string digits(const Real& value, T rounded, Scalar scalar) {
   if (!std::isfinite(rounded)) {
     throw std::range_error(fmt::format(
-        "the constant {:.6g}, made of numbers of the model, is too large for {}; expected smaller "
-        "ones{}",
+        "the constant {:.6g}, made of numbers of the model and of its equations, is too large for "
+        "{}; expected smaller ones{}",
         value.convert_to<long double>(), type_name(scalar),
         scalar == Scalar::kFloat ? " or --scalar double" : ""));
   }

@@ -149,6 +149,8 @@ TEST_F(Cli, RefusesEquationsThatItCannotCarry) {
   EXPECT_THAT(value(repeated("(D+E)", 40) + "ones"), HasSubstr("expected less than 2^31"));
   EXPECT_THAT(value(repeated("(E+sigma)*(D-2*N)", 16) + "E"),
               HasSubstr("expected fewer factors that are sums"));
+  EXPECT_THAT(value(repeated("E", 200) + "E"),
+              HasSubstr("multiplies 201 matrices in one product; expected at most 200"));
   EXPECT_THAT(value("sqrt(-1)*A"), HasSubstr("has a constant that is nan; expected a real number"));
   EXPECT_THAT(message("equations:\n  - {name: eb, value: A}\n"
                       "  - {name: ea, value: eb*G, inputs: [{name: eb}]}\n"),
