@@ -71,9 +71,7 @@ Vec3 force(const Task& task, Expr press, const Slip& slip) {
            : v.quantity == model::Quantity::kNormalSpeed ? slip.normal
                                                          : slip.velocity[to_index(v.index)];
   };
-  Graph& graph = task.kinematics.graph();
-  return {value_of(graph, law[0], meaning), value_of(graph, law[1], meaning),
-          value_of(graph, law[2], meaning)};
+  return value_of(task.kinematics.graph(), law, meaning);
 }
 
 }  // namespace

@@ -72,11 +72,7 @@ class Drift {
   }
 
   [[nodiscard]] Vec3 curve(const model::VectorExpression& of_time) const {
-    Vec3 v;
-    for (std::size_t n = 0; n < 3; ++n) {
-      v[n] = value_of(graph_, of_time[n], forces_.meaning());
-    }
-    return v;
+    return value_of(graph_, of_time, forces_.meaning());
   }
 
   [[nodiscard]] std::vector<Expr> rotation() const {

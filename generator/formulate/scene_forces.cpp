@@ -85,16 +85,12 @@ Vec3 SceneForces::load(const model::PointLaw& law) const {
         return meaning_(v);
     }
   };
-  Vec3 result;
   try {
-    for (std::size_t n = 0; n < 3; ++n) {
-      result[n] = value_of(task_.kinematics.graph(), law.value[n], meaning);
-    }
+    return value_of(task_.kinematics.graph(), law.value, meaning);
   } catch (const InputError& error) {
     throw InputError({}, fmt::format("force at point '{}': {}",
                                      scene_.points[to_index(law.point)].name, error.message()));
   }
-  return result;
 }
 
 PointLoads SceneForces::loads() const {

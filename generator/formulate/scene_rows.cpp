@@ -138,10 +138,8 @@ std::vector<Expr> SceneRows::wanted_of(const model::Constraint& c) const {
   if (c.kind == ConstraintKind::kJoint) {
     return {value_of(graph_, c.curve.acceleration[0], meaning_)};
   }
-  Vec3 a;
-  for (std::size_t n = 0; n < 3 && c.kind == ConstraintKind::kPoint; ++n) {
-    a[n] = value_of(graph_, c.curve.acceleration[n], meaning_);
-  }
+  const bool of_point = c.kind == ConstraintKind::kPoint;
+  const Vec3 a = of_point ? value_of(graph_, c.curve.acceleration, meaning_) : Vec3{};
   return transformed(c.directions,
                      [&](const model::Vector3& d) { return dot(constant(graph_, d), a); });
 }

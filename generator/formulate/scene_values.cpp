@@ -43,4 +43,12 @@ Expr value_of(Graph& graph, const model::Expression& expression, const Meaning& 
   return expression.evaluate<Term>(number, variable).value;
 }
 
+Vec3 value_of(Graph& graph, const model::VectorExpression& expression, const Meaning& meaning) {
+  Vec3 v;
+  for (std::size_t n = 0; n < 3; ++n) {
+    v[n] = value_of(graph, expression[n], meaning);
+  }
+  return v;
+}
+
 }  // namespace treedyn::formulate

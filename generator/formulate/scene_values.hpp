@@ -13,5 +13,6 @@ using Meaning = std::function<Expr(const model::Variable&)>;
 
 /// The value of `expression`; operations are made in the order of its program.
 Expr value_of(Graph& graph, const model::Expression& expression, const Meaning& meaning);
+Vec3 value_of(Graph& graph, const model::VectorExpression& expression, const Meaning& meaning);
 
 }  // namespace treedyn::formulate
