@@ -179,8 +179,7 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
   if (!watch.armed && side < 0) {
     note_below(watch, t_ + from * h, start);
   }
-  const SignChanges changes =
-      sign_changes(g, side, pieces(h), watch.is_height() ? kPlaneRounding : 0);
+  const SignChanges changes = sign_changes(g, side, pieces(h), watch.band());
   for (std::size_t n = 0; n < changes.places.size(); ++n) {
     const double low = from + (1 - from) * changes.places[n].low;
     const double high = from + (1 - from) * changes.places[n].high;

@@ -13,6 +13,8 @@ inline constexpr double kOnPlane = 1e-10;
 inline constexpr double kAtRest = 1e-10;
 /// A height within this has not changed its side yet, m: roundings of a point that rests.
 inline constexpr double kPlaneRounding = 1e-12;
+/// Nor has an expression, in its own unit: roundings of one that is zero.
+inline constexpr double kValueRounding = 1e-15;
 
 struct Watch {
   enum class Kind {
@@ -41,6 +43,10 @@ struct Watch {
   /// Its rate in time. \pre is_height()
   double slope(System& system, const Vector& y) const;
   [[nodiscard]] bool is_height() const { return kind == Kind::kEvent || kind == Kind::kContact; }
+  /// What the function has to be beyond zero on its other side.
+  [[nodiscard]] double band() const {
+    return is_height() ? kPlaneRounding : kind == Kind::kExpression ? kValueRounding : 0;
+  }
   /// True for what ends a phase when it becomes negative.
   [[nodiscard]] bool ends_phase() const { return event != nullptr; }
   /// The side on which a state is; a pull counts whenever it is seen.

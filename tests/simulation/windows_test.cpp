@@ -273,5 +273,20 @@ TEST(Windows, OfAGuardAlongACoordinateAreFound) {
   }
 }
 
+/// One is zero but for roundings, the other falls through zero slowly.
+TEST(Windows, AreNotMadeByRounding) {
+  const auto at = [](const std::string& value, const char* integrator) {
+    return first_event(
+        "initial: {qd: {height: 1}}\nphases:\n  - name: a\n    until:\n"
+        "      - {expression: \"" +
+            value + "\", then: b}\n  - name: b\n",
+        "3", integrator);
+  };
+  for (const char* const integrator : {"fehlberg78", "dopri5", "rk4"}) {
+    EXPECT_EQ(at("sin(q[height])^2 + cos(q[height])^2 - 1", integrator), -1) << integrator;
+    EXPECT_NEAR(at("1e-9*(1 - t)", integrator), 1, 1e-5) << integrator;  // 1e-6 of it rounding
+  }
+}
+
 }  // namespace
 }  // namespace treedyn::simulation
