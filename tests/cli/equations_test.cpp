@@ -166,6 +166,17 @@ TEST_F(Cli, RefusesEquationsThatItCannotCarry) {
               HasSubstr("equation 'mine' needs points and the model has none"));
 }
 
+/// Float is warned of where it loses digits, not where there is an error.
+TEST_F(Cli, RefusesAConstantBeyondFloatInOneLine) {
+  const std::string equations = scratch("mine.yaml");
+  write_file(equations, "equations:\n  - {name: mine, value: 1e300*A}\n");
+  const Outcome outcome = treedyn({"generate", kModel, "--equations", equations, "--functions",
+                                   "mine", "--effort", "0", "--scalar", "float", "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("two_link.yaml: the constant 1e+300, made of numbers"));
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+}
+
 /// Numbers in front, fractions or not, change nothing of what they multiply.
 TEST_F(Cli, TakesAnyNumberInFrontOfAnEnergy) {
   const auto operations = [&](const std::string& number) {
