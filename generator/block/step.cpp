@@ -2,24 +2,18 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/sorted.hpp"
 
 namespace treedyn::block {
 namespace {
 
 using Rows = std::vector<std::vector<int>>;
-
-std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
-  std::vector<int> result;
-  std::ranges::set_union(a, b, std::back_inserter(result));
-  return result;
-}
 
 Rows rows_of(const Pattern& pattern) {
   Rows rows(to_index(pattern.rows()));

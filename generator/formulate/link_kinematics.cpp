@@ -10,6 +10,16 @@ constexpr std::size_t kX = 0;
 constexpr std::size_t kZ = 2;
 constexpr int kNoInput = -1;
 
+/// A value after all rotations, the last one first.
+template <class Value>
+Value turned(const std::vector<PlaneRotation>& steps, Value value,
+             Value (PlaneRotation::*turn)(const Value&) const) {
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    value = ((*step).*turn)(value);
+  }
+  return value;
+}
+
 }  // namespace
 
 Kinematics::Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& normal,
@@ -216,12 +226,8 @@ Vec3 Kinematics::axis_in_father(int i) const {
   return to_father(i, {Expr(), Expr(), constant(graph_, Real(1))});
 }
 
-Vec3 Kinematics::to_father(int i, Vec3 v) const {
-  const auto& steps = rotations_[index(i)];
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    v = step->forward(v);
-  }
-  return v;
+Vec3 Kinematics::to_father(int i, const Vec3& v) const {
+  return turned(rotations_[index(i)], v, &PlaneRotation::forward);
 }
 
 Vec3 Kinematics::from_father(int i, Vec3 v) const {
@@ -231,20 +237,12 @@ Vec3 Kinematics::from_father(int i, Vec3 v) const {
   return v;
 }
 
-Mat3 Kinematics::to_father_symmetric(int i, Mat3 s) const {
-  const auto& steps = rotations_[index(i)];
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    s = step->forward_symmetric(s);
-  }
-  return s;
+Mat3 Kinematics::to_father_symmetric(int i, const Mat3& s) const {
+  return turned(rotations_[index(i)], s, &PlaneRotation::forward_symmetric);
 }
 
-Mat3 Kinematics::to_father_general(int i, Mat3 h) const {
-  const auto& steps = rotations_[index(i)];
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    h = step->forward_general(h);
-  }
-  return h;
+Mat3 Kinematics::to_father_general(int i, const Mat3& h) const {
+  return turned(rotations_[index(i)], h, &PlaneRotation::forward_general);
 }
 
 Vec3 Kinematics::ground_acceleration() const {

@@ -107,10 +107,10 @@ class Kinematics {
     return head_[index(i)] != i && head_[index(i)] >= 0;
   }
 
-  [[nodiscard]] Vec3 to_father(int i, Vec3 v) const;
+  [[nodiscard]] Vec3 to_father(int i, const Vec3& v) const;
   [[nodiscard]] Vec3 from_father(int i, Vec3 v) const;
-  [[nodiscard]] Mat3 to_father_symmetric(int i, Mat3 s) const;
-  [[nodiscard]] Mat3 to_father_general(int i, Mat3 h) const;
+  [[nodiscard]] Mat3 to_father_symmetric(int i, const Mat3& s) const;
+  [[nodiscard]] Mat3 to_father_general(int i, const Mat3& h) const;
   /// The joint axis in the father's expression frame.
   [[nodiscard]] Vec3 axis_in_father(int i) const;
 

@@ -1,6 +1,7 @@
 #include "formulate/scene_forces.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -19,11 +20,13 @@ namespace {
 
 bool of_time(const model::Expression& e) { return e.uses(Quantity::kTime); }
 
-bool of_time(const model::VectorExpression& v) {
-  return std::ranges::any_of(v, [](const model::Expression& e) { return of_time(e); });
+bool any_of_time(std::span<const model::Expression> all) {
+  return std::ranges::any_of(all, [](const model::Expression& e) { return of_time(e); });
 }
 
 }  // namespace
+
+bool of_time(const model::VectorExpression& v) { return any_of_time(v); }
 
 SceneForces::SceneForces(const Task& task, const SceneArrays& arrays)
     : task_(task), scene_(*task.options.scene), arrays_(arrays) {
@@ -108,11 +111,9 @@ bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
   const auto row_uses = [&](int c) {
     const model::Constraint& constraint = scene.constraints[to_index(c)];
     const bool stabilised = is_stabilised(scene, c);
-    return constraint.accelerations.empty()
-               ? of_time(constraint.curve.acceleration) ||
-                     (stabilised && of_time(constraint.curve.position))
-               : std::ranges::any_of(constraint.accelerations,
-                                     [](const model::Expression& e) { return of_time(e); });
+    return constraint.accelerations.empty() ? of_time(constraint.curve.acceleration) ||
+                                                  (stabilised && of_time(constraint.curve.position))
+                                            : any_of_time(constraint.accelerations);
   };
   return std::ranges::any_of(active, row_uses) ||
          std::ranges::any_of(scene.joint_laws,

@@ -44,6 +44,8 @@ class SceneForces {
   std::unique_ptr<Kinematics> moving_;  ///< with qd, where the task's velocity products are off
 };
 
+/// True if a component depends on time.
+bool of_time(const model::VectorExpression& v);
 /// True if some force of the scene, or a row of these constraints, depends on time.
 bool uses_time(const model::Scene& scene, const std::vector<int>& active);
 

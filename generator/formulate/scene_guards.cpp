@@ -88,11 +88,7 @@ std::vector<Expr> build_anchors(const Task& task) {
 
 bool anchors_use_time(const model::Scene& scene) {
   for (int c = 0; c < static_cast<int>(scene.constraints.size()); ++c) {
-    const model::VectorExpression& curve = scene.constraints[to_index(c)].curve.position;
-    const auto of_time = [](const model::Expression& e) {
-      return e.uses(model::Quantity::kTime);
-    };
-    if (anchor_size(scene, c) > 0 && std::ranges::any_of(curve, of_time)) {
+    if (anchor_size(scene, c) > 0 && of_time(scene.constraints[to_index(c)].curve.position)) {
       return true;
     }
   }

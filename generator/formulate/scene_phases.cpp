@@ -1,12 +1,12 @@
 #include "formulate/scene_phases.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "common/identifier.hpp"
 #include "common/index.hpp"
+#include "common/sorted.hpp"
 #include "formulate/geometry.hpp"
 #include "formulate/scene_names.hpp"
 #include "model/scene_facts.hpp"
@@ -18,18 +18,6 @@ using model::EventKind;
 using model::Scene;
 
 namespace {
-
-std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
-  std::vector<int> result;
-  std::ranges::set_union(a, b, std::back_inserter(result));
-  return result;
-}
-
-std::vector<int> without(const std::vector<int>& a, const std::vector<int>& b) {
-  std::vector<int> result;
-  std::ranges::set_difference(a, b, std::back_inserter(result));
-  return result;
-}
 
 /// What ends the rest of those constraints that came to it unasked.
 std::vector<Event> lift_offs(const Scene& scene, int phase, const std::vector<int>& resting) {

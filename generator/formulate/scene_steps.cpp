@@ -77,8 +77,8 @@ class StepMaker {
                              std::vector<Expr> (*build)(const Task&),
                              std::vector<program::Array> inputs, program::Array output) const;
   [[nodiscard]] program::Lasting lasting(const Real& time) const;
-  [[nodiscard]] int anchor_count() const {
-    return anchor_offset(scene_, static_cast<int>(scene_.constraints.size()));
+  [[nodiscard]] program::Array anchor(const std::string& name) const {
+    return {name, anchor_offset(scene_, static_cast<int>(scene_.constraints.size())), "m|1|rad"};
   }
   [[nodiscard]] program::Array q() const { return {"q", scene_.tree.dof(), "rad|m"}; }
   [[nodiscard]] program::Array qd() const { return {"qd", scene_.tree.dof(), "rad/s|m/s"}; }
@@ -133,8 +133,7 @@ Staged StepMaker::anchors() const {
   if (anchors_use_time(scene_)) {
     inputs.push_back({"t", 1, "s"});
   }
-  return local("anchors", options_, {.q = 0}, build_anchors, inputs,
-               {"anchor", anchor_count(), "m|1|rad"});
+  return local("anchors", options_, {.q = 0}, build_anchors, inputs, anchor("anchor"));
 }
 
 /// Steps and a rest; without cuts whole steps, rounded up.
@@ -286,14 +285,14 @@ void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
   const bool renews = !stepper.anchors.empty();
   const bool counts = stepper.counted > 0;
   add(s.inputs, stepper.takes_time, {"t", 1, "s"});
-  add(s.inputs, stepper.takes_anchor, {"anchor", anchor_count(), "m|1|rad"});
+  add(s.inputs, stepper.takes_anchor, anchor("anchor"));
   add(s.inputs, stepper.switches(), {"phase", 1, "index", true});
   add(s.inputs, counts, {"steps", 1, "done in this phase", true});
   add(s.inputs, stepper.begun, {"begun", 1, "s in this phase before them"});
   add(s.inputs, stepper.compensated,
       {"rest", 2 * n, "what q and qd lost by rounding; zero at first"});
   add(s.outputs, stepper.rows > 0, {"lambda", stepper.rows, "N|N m"});
-  add(s.outputs, renews, {"anchor_next", anchor_count(), "m|1|rad"});
+  add(s.outputs, renews, anchor("anchor_next"));
   add(s.outputs, stepper.switches(), {"phase_next", 1, "index", true});
   add(s.outputs, counts, {"steps_next", 1, "done in the next phase", true});
   add(s.outputs, stepper.begun, {"begun_next", 1, "s in the next phase before them"});

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 
 #include "optimise/network.hpp"
 #include "optimise/rounding_guard.hpp"
@@ -17,10 +16,5 @@ namespace treedyn::optimise {
 /// kept.
 /// \pre normalised, so is the result
 Network improve(Network network, int moves, const RoundingGuard& guard, std::uint64_t seed = 1);
-/// The same, held to the rounding of `network`.
-inline Network improve(Network network, int moves, std::uint64_t seed = 1) {
-  const RoundingGuard guard(network);
-  return improve(std::move(network), moves, guard, seed);
-}
 
 }  // namespace treedyn::optimise

@@ -279,26 +279,15 @@ void renumber_columns(LimbCode& code, int c) {
     if (phase.limb_class != c) {
       continue;
     }
-    Function renumbered{phase.function.signature, {}, {}};
-    renumbered.signature.inputs[kRowArray].size = static_cast<int>(used.size());
-    const Graph& from = phase.function.graph;
-    std::vector<Ref> copies(from.size(), 0);
-    for (const Ref k : reachable(from, phase.function.outputs)) {
-      const Node& node = from.node(k);
-      if (node.kind == Kind::kInput && node.a >= kFixedArrays) {
-        const auto place = used.find(node.b / limb_class.size());
-        copies[program::node_index(k)] =
-            renumbered.graph.input(kRowArray, static_cast<int>(std::distance(used.begin(), place)));
-      } else {
-        copies[program::node_index(k)] = copy_node(from, k, copies, renumbered.graph);
-        renumbered.graph.set_hint(copies[program::node_index(k)], from.hint(k));
-        renumbered.graph.set_hint(-copies[program::node_index(k)], from.hint(-k));
-      }
-    }
-    for (const Ref output : phase.function.outputs) {
-      renumbered.outputs.push_back(copy_of(copies, output));
-    }
-    phase.function = std::move(renumbered);
+    phase.function =
+        rewritten(phase.function, phase.function.outputs, [&](const Node& node, Graph& to) {
+          if (node.a < kFixedArrays) {
+            return to.input(node.a, node.b);
+          }
+          const auto place = used.find(node.b / limb_class.size());
+          return to.input(kRowArray, static_cast<int>(std::distance(used.begin(), place)));
+        });
+    phase.function.signature.inputs[kRowArray].size = static_cast<int>(used.size());
   }
   std::vector<std::vector<Real>> columns;
   for (const int k : used) {

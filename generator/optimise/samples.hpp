@@ -55,7 +55,7 @@ class SampleTable {
   [[nodiscard]] const std::array<double, 2>& fast(int k) const { return fast_[to_index(k)]; }
   /// What rounding in double leaves in the item, as it is computed now.
   [[nodiscard]] const ErrorBounds& errors(Ref a) const { return errors_[program::node_index(a)]; }
-  /// After operands have changed. \param order  all items in use, operands before their users
+  /// After operands have changed. \param order  items in use, operands before their users
   void update_errors(std::span<const int> order);
   /// True if the value is zero but for rounding at 50 digits: somewhere in it sums cancel
   /// completely.

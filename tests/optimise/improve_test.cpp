@@ -20,7 +20,7 @@ TEST(Improve, FindsAFactorThatNoGreedyStepSees) {
   const Ref sum = graph.add(graph.multiply(a, graph.add(b, c)), -ab);
   const Network network = network_of(graph, std::vector<Ref>{graph.add(sum, graph.input(0, 3))});
   EXPECT_EQ(operations(network), 5);
-  EXPECT_EQ(operations(improve(network, 20)), 2);
+  EXPECT_EQ(operations(improve(network, 20, RoundingGuard(network))), 2);
 }
 
 TEST(Improve, KeepsTheValuesAndNeverAddsOperations) {
@@ -47,7 +47,8 @@ TEST(Improve, LosesAtMostAFactorFourOfAccuracy) {
 TEST(Improve, DependsOnTheSeedAlone) {
   const Function chain = spatial_chain(4);
   const Network start = network_of(chain.graph, chain.outputs);
-  EXPECT_EQ(operations(improve(start, 200, 7)), operations(improve(start, 200, 7)));
+  const RoundingGuard guard(start);
+  EXPECT_EQ(operations(improve(start, 200, guard, 7)), operations(improve(start, 200, guard, 7)));
 }
 
 }  // namespace
