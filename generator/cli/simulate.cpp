@@ -214,6 +214,10 @@ SimulateResult simulate(const SimulateRequest& request, const simulation::Progre
       result.seconds =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
+    if (result.recording.stopped.empty()) {
+      simulator.judge_rest(*dynamics);
+      result.recording.notices = simulator.monitor().notices();
+    }
   } catch (const std::runtime_error& problem) {
     throw InputError({request.scene, 0, 0}, fmt::format("{}; expected a motion", problem.what()));
   }

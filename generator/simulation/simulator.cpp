@@ -393,7 +393,7 @@ void Simulator::guard_against_standstill(double end) {
   }
 }
 
-Stability Simulator::stability(Dynamics& dynamics) {
+Stability Simulator::stability(Dynamics& dynamics, const Vector& qd) {
   System closed(scene_, dynamics, alpha(settings_));
   closed.constraints() = system_.constraints();
   std::vector<int> active = system_.constraints().active();
@@ -404,7 +404,7 @@ Stability Simulator::stability(Dynamics& dynamics) {
   for (std::size_t k = 0; k < closed.frictions().size(); ++k) {
     stick_or_slip(closed, t_, y_, k);
   }
-  Stability result = stability_at(scene_, closed, t_, q(), qd());
+  Stability result = stability_at(scene_, closed, t_, q(), qd);
   for (const StabilityLimit& limit : result.limits) {
     if (integrator_->error_order() > 0 || limit.integrator != settings_.integrator || !limit.step ||
         settings_.step <= *limit.step) {
@@ -418,6 +418,20 @@ Stability Simulator::stability(Dynamics& dynamics) {
              settings_.step, limit.integrator, *limit.step, t_, 0.9 * *limit.step)});
   }
   return result;
+}
+
+void Simulator::judge_rest(Dynamics& dynamics) {
+  if (integrator_->error_order() > 0) {
+    return;
+  }
+  try {
+    const Vector speeds = qd();
+    const Vector there = system_.accelerate(t_, q(), speeds).qdd.cwiseAbs();
+    const Vector back = system_.accelerate(t_, q(), -speeds).qdd.cwiseAbs();
+    const Vector most = settings_.step * there.cwiseMax(back);
+    stability(dynamics, (speeds.array().abs() <= most.array()).select(0, speeds));
+  } catch (const std::runtime_error&) {  // a state nearby has no accelerations: no limit to tell
+  }
 }
 
 }  // namespace treedyn::simulation

@@ -17,6 +17,11 @@ using Complex = std::complex<double>;
 /// Relative difference step, and the part of a contact's depth that a difference may move.
 constexpr double kDifferenceOfState = 1e-6;
 constexpr double kPartOfDepth = 1e-2;
+/// A force may be steeper than a difference of speeds shows: the part of one that is tried, how
+/// much more makes it steeper, and the part of the acceleration that is no rounding.
+constexpr double kPartOfSpeed = 1e-3;
+constexpr double kSteeper = 1.01;
+constexpr double kSeen = 1e-6;
 /// Depths that are tried, m; halvings of an interval.
 constexpr double kLeastDepth = 1e-9;
 constexpr double kMostDepth = 1;
@@ -105,15 +110,27 @@ Eigen::MatrixXd derivative(System& system, double t, const Vector& q, const Vect
   Eigen::MatrixXd result(n, 2 * n);
   Vector y(2 * n);
   y << q, qd;
-  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+  const auto slope = [&](Eigen::Index k, double d) {
     const double x = y[k];
-    const double d = std::min(kDifferenceOfState * std::max(1.0, std::fabs(x)), k < n ? most : 1.0);
     y[k] = x + d;
-    result.col(k) = system.accelerate(t, y.head(n), y.tail(n)).qdd;
+    Vector change = system.accelerate(t, y.head(n), y.tail(n)).qdd;
     y[k] = x - d;
-    result.col(k) -= system.accelerate(t, y.head(n), y.tail(n)).qdd;
-    result.col(k) /= 2 * d;
+    change -= system.accelerate(t, y.head(n), y.tail(n)).qdd;
     y[k] = x;
+    return Vector(change / (2 * d));
+  };
+  const double size = system.accelerate(t, q, qd).qdd.norm();
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    const double d =
+        std::min(kDifferenceOfState * std::max(1.0, std::fabs(y[k])), k < n ? most : 1.0);
+    result.col(k) = slope(k, d);
+    if (k >= n) {
+      const double near = kPartOfSpeed * d;
+      const Vector steep = slope(k, near);
+      if (steep.norm() > kSteeper * result.col(k).norm() && steep.norm() * near > kSeen * size) {
+        result.col(k) = steep;
+      }
+    }
   }
   return result;
 }

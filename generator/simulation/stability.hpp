@@ -36,7 +36,7 @@ struct Stability {
 /// Eigenvalues of central differences of qdd(q, qd); a method is stable where no mode that does not
 /// grow by itself grows by more than kGrowth in a step, semi-implicit Euler where none changes its
 /// sign in every step and no more grow than the motion does not damp. Empty for more than
-/// kStabilityJoints joints, or where the differences are not finite. Cost: 4 N + 1 evaluations and
+/// kStabilityJoints joints, or where the differences are not finite. Cost: 6 N + 2 evaluations and
 /// eigenvalues of 2 N x 2 N, up to sixty times.
 Stability stability_at(const model::Scene& scene, System& system, double t, const Vector& q,
                        const Vector& qd);

@@ -291,6 +291,26 @@ TEST_F(Simulate, EndsWhereEnergyComesOutOfNothing) {
   EXPECT_GT(table(read_file(file("drop.csv"))).size(), 50U);  // up to there
 }
 
+/// 10 N, of which 6 push, hold 2 kg: 5e4/s at rest, where rk4 is stable up to 2.785/5e4 s. On the
+/// way there friction is constant.
+TEST_F(Simulate, WarnsOfStepsThatAreTooLongForTheRestAtTheEnd) {
+  write_file(scratch("model.yaml"),
+             "name: block\nlinks:\n  - name: block\n    father: ground\n    joint: {name: x, type: "
+             "prismatic, axis: [1, 0, 0]}\n    mass: 2\n");
+  const auto errors = [&](const std::string& step, const std::string& push) {
+    write_file(
+        scratch("s.yaml"),
+        "scene: s\nmodel: model.yaml\nduration: 1\neffects:\n  coulomb_friction: [{joint: x, "
+        "force: 10, slip_speed: 1e-4}]\n  drive: [{joint: x, torque: " +
+            push + "}]\ninitial: {qd: {x: 1}}\nstepping: {integrator: rk4, step: " + step + "}\n");
+    return treedyn({scratch("s.yaml").string(), "-o", out()}).err;
+  };
+  EXPECT_THAT(errors("1e-3", "6"), HasSubstr("warning: a step of 0.001 s is beyond the stability "
+                                             "limit of rk4, 5.57e-05 s at t = 1 s"));
+  EXPECT_EQ(errors("5e-5", "6"), "");
+  EXPECT_EQ(errors("1e-3", "11"), "");  // it does not come to rest
+}
+
 /// 20 J are more than the 10 J of the fall: what they are judged by is named.
 TEST_F(Simulate, SaysWhatEnergyIsJudgedBy) {
   const Outcome outcome = treedyn({scene("drop"), "--integrator", "rk4", "--step", "0.001",
