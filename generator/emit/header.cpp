@@ -135,15 +135,17 @@ std::string packing_tables(const Unit& unit) {
   std::string result;
   for (const PackedMatrix& matrix : unit.packed) {
     const std::string& name = matrix.constants;
-    result += "\n" +
-              wrapped(fmt::format("Value k of {} is entry ({}Row[k], {}Column[k]){}; other entries "
-                                  "are zero in every state.",
-                                  matrix.what, name, name,
-                                  matrix.packing.mirrored ? " and its mirror image" : ""),
-                      "/// ") +
-              fmt::format("constexpr int {}Nonzeros = {};\n", name, matrix.packing.size()) +
-              index_table(name + "Row", matrix.packing.row) +
-              index_table(name + "Column", matrix.packing.column);
+    result +=
+        "\n" +
+        wrapped(fmt::format(
+                    "Value k of {} is entry ({}Row[k], {}Column[k]){}; other entries "
+                    "are zero in every state{}.",
+                    matrix.what, name, name, matrix.packing.mirrored ? " and its mirror image" : "",
+                    matrix.packing.is_zero ? ", and so is this one: no array has no element" : ""),
+                "/// ") +
+        fmt::format("constexpr int {}Nonzeros = {};\n", name, matrix.packing.size()) +
+        index_table(name + "Row", matrix.packing.row) +
+        index_table(name + "Column", matrix.packing.column);
   }
   return result;
 }

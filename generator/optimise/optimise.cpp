@@ -1,5 +1,6 @@
 #include "optimise/optimise.hpp"
 
+#include <array>
 #include <utility>
 
 #include "optimise/hints.hpp"
@@ -15,20 +16,29 @@ namespace {
 /// The local search is interrupted so often to look for equal values.
 constexpr int kParts = 4;
 
+/// Factors by which values may lose accuracy: the second where an output would lose too much.
+constexpr std::array kAmplifications = {16.0, 4.0, 2.0, 1.0};
+
 /// `resubstitute` until it saves nothing more.
 Network resubstituted(Network network, const RoundingGuard& guard, Quotients quotients) {
-  for (int fewest = operations(network);;) {
+  std::size_t careful = 0;
+  for (int fewest = operations(network); careful < kAmplifications.size();) {
     Network next = network;
-    if (resubstitute(next, quotients) == 0) {
-      return network;
+    if (resubstitute(next, quotients, kAmplifications[careful]) == 0) {
+      break;
     }
     next = run_all_orders(normalise(next), 1);
-    if (operations(next) >= fewest || !guard.accepts(next)) {
-      return network;
+    if (operations(next) >= fewest) {
+      break;
     }
-    fewest = operations(next);
-    network = std::move(next);
+    if (guard.accepts(next)) {
+      fewest = operations(next);
+      network = std::move(next);
+    } else {
+      ++careful;
+    }
   }
+  return network;
 }
 
 }  // namespace

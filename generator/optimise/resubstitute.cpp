@@ -20,8 +20,6 @@ constexpr int kMostItemsForPairs = 4000;
 constexpr std::size_t kLongestShortened = 24;
 /// A sum may be this much smaller than its terms.
 constexpr double kMostCancellation = 16;
-/// The bound of rounding errors of a value may grow by this factor.
-constexpr double kMostAmplification = 16;
 
 /// The items that outputs need, operands first; operands may come after users in the network.
 std::vector<int> order_of_evaluation(const Network& network) {
@@ -52,7 +50,8 @@ std::vector<int> order_of_evaluation(const Network& network) {
 
 class Resubstitution {
  public:
-  Resubstitution(Network& network, Quotients quotients) : network_(network), samples_(network) {
+  Resubstitution(Network& network, Quotients quotients, double amplification)
+      : network_(network), samples_(network), most_amplification_(amplification) {
     if (quotients == Quotients::kApart) {
       note_quotients();
     }
@@ -68,7 +67,7 @@ class Resubstitution {
   [[nodiscard]] Sample sample(Ref a) const { return samples_.sample(a); }
   /// True if `item` instead of k does not amplify rounding.
   [[nodiscard]] bool is_accurate(int item, int k) const {
-    return within(samples_.errors(item), reference_[program::node_index(k)], kMostAmplification);
+    return within(samples_.errors(item), reference_[program::node_index(k)], most_amplification_);
   }
   /// An item that pays and is free of cycles as an operand of a new form of `k`.
   Ref find_operand(double first, double second, int k);
@@ -97,6 +96,7 @@ class Resubstitution {
 
   Network& network_;
   SampleTable samples_;
+  double most_amplification_;
   std::vector<ErrorBounds> reference_;  ///< of the items at the start
   std::vector<int> order_;              ///< of evaluation
   std::vector<int> uses_;
@@ -388,8 +388,8 @@ int Resubstitution::run() {
 
 }  // namespace
 
-int resubstitute(Network& network, Quotients quotients) {
-  return Resubstitution(network, quotients).run();
+int resubstitute(Network& network, Quotients quotients, double amplification) {
+  return Resubstitution(network, quotients, amplification).run();
 }
 
 }  // namespace treedyn::optimise

@@ -20,7 +20,9 @@ enum class Quotients { kAnywhere, kApart };
 /// of values are tried in networks of up to some thousand items, O(n^2 log n); the rest is
 /// O(n log n).
 /// \param[in,out] network  normalised before, not afterwards
+/// \param amplification  factor by which the bound of rounding errors of a value may grow
 /// \return the number of replacements
-int resubstitute(Network& network, Quotients quotients = Quotients::kAnywhere);
+int resubstitute(Network& network, Quotients quotients = Quotients::kAnywhere,
+                 double amplification = 16);
 
 }  // namespace treedyn::optimise

@@ -73,7 +73,8 @@ Packing stored_entries(const Function& dense, int rows, int columns) {
       }
     }
   }
-  if (packing.row.empty()) {  // C++ and C have no arrays of nothing
+  packing.is_zero = packing.row.empty();
+  if (packing.is_zero) {
     packing.row.push_back(0);
     packing.column.push_back(0);
   }

@@ -645,6 +645,49 @@ TEST_F(Cli, RepeatsTheOptionsThatMatterInTheHeader) {
                 "--points\n//       tip=forearm:1,0,0 --gravity 0,-9.81,0 --effort 0\n"));
 }
 
+/// dA/dt of a turning and a sliding root is zero; C has no array without an element.
+TEST_F(Cli, SaysWhereNothingOfAPackedMatrixIsLeft) {
+  write_file(
+      scratch("two.yaml"),
+      "name: two\nlinks:\n  - name: a\n    father: ground\n    joint: {name: j, type: "
+      "revolute, axis: [0, 0, 1]}\n    mass: 1\n    com: [1, 0, 0]\n  - name: b\n    father: "
+      "ground\n    joint: {name: k, type: prismatic, axis: [0, 0, 1]}\n    mass: 1\n");
+  EXPECT_EQ(treedyn({"generate", scratch("two.yaml"), "--layout", "packed", "--equations",
+                     TREEDYN_SOURCE_DIR "/models/equations/coriolis.yaml", "--functions",
+                     "mass_matrix,mass_matrix_rate", "--effort", "0", "-o", out()})
+                .status,
+            0);
+  const std::string header = read_file(file("two.hpp"));
+  EXPECT_THAT(header, HasSubstr("constexpr int kMassMatrixNonzeros = 2;\n"));
+  EXPECT_THAT(header, HasSubstr("and so is this one: no array has no\n/// element.\n"
+                                "constexpr int kMassMatrixRateNonzeros = 1;\n"));
+  EXPECT_THAT(read_file(file("two.cpp")), HasSubstr("value[0] = 0.0;"));
+}
+
+/// What m cx and Ixx of the link behind do to the yaw joint is zero: offset (0, -b, 0), axes z and
+/// x. Products of another order hide it, and elsewhere equal values would cost an output's
+/// accuracy.
+TEST_F(Cli, FindsColumnsOfTheRegressorThatAreZero) {
+  write_file(
+      scratch("arm.yaml"),
+      "name: arm\nlinks:\n"
+      "  - {name: a, father: ground, joint: {name: j, type: revolute, axis: [0, 0, 1]}, mass: "
+      "5.78, inertia: [0.2768, 0, 0, 0.0847, 0, 0.2505]}\n"
+      "  - {name: b, father: a, joint: {name: k, type: revolute, axis: [-1, 0, 0], offset: "
+      "[0, -0.046, 0]}, mass: 5.16, com: [0, 0, -0.308], inertia: [0.6333, 0, 0, 0.67, 0, "
+      "0.9055]}\n"
+      "  - {name: c, father: b, joint: {name: l, type: revolute, axis: [0, 0, 1], offset: "
+      "[0, -0.944, 0.645]}, mass: 4.2, com: [0, -0.073, 0], inertia: [0.4972, 0, 0, 0.4972, "
+      "0, 0.6867]}\n");
+  EXPECT_EQ(treedyn({"generate", scratch("arm.yaml"), "--functions", "inverse_dynamics_regressor",
+                     "--effort", "0", "-o", out()})
+                .status,
+            0);
+  const std::string code = read_file(file("arm.cpp"));
+  EXPECT_THAT(code, HasSubstr("Y[11] = 0.0;"));
+  EXPECT_THAT(code, HasSubstr("Y[14] = 0.0;"));
+}
+
 TEST_F(Cli, WritesSinesWhereTheyAreNeeded) {
   ASSERT_EQ(treedyn({"generate", kModel, "-q", "--trig", "late", "-o", out()}).status, 0);
   EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("--trig late"));
