@@ -9,6 +9,7 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 #include "description/scene_reader.hpp"
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
@@ -311,19 +312,33 @@ std::vector<Warning> places_without_effect(const Model& model, const Location& w
   return result;
 }
 
-/// Rebounds at an expression in a phase that goes on: a point that lands may come to rest, they may
-/// not, and a generated step does not see it.
-std::vector<Warning> rebounds_without_rest(const model::Scene& scene, const Location& where) {
+/// Why what an impact stops in a phase that goes on does not stay there, which a generated step
+/// does not see; nothing if it may.
+std::string impact_without_rest(const model::Scene& scene, const model::Event& event) {
+  const model::Impact& impact = *event.impact;
+  if (event.kind == model::EventKind::kExpression && impact.restitution > 0 &&
+      impact.restitution < 1) {
+    return "rebounds at an expression never come to rest: once they are too small to be seen "
+           "`step` lets it go on beyond zero (at a touch_down they may)";
+  }
+  if (event.kind == model::EventKind::kHeight && impact.restitution == 0 &&
+      impact.rest_below == 0 && !model::struck(scene, event).empty()) {
+    return fmt::format(
+        "nothing holds point '{}' where its impact stops it: where it is pressed on "
+        "`step` lets it sink, which the status event_missed says (`then` a phase in "
+        "which the constraint acts, or rest_below)",
+        shown(scene.points[to_index(event.point)].name));
+  }
+  return "";
+}
+
+std::vector<Warning> impacts_without_rest(const model::Scene& scene, const Location& where) {
   std::vector<Warning> result;
   for (std::size_t k = 0; model::step_method(scene) && k < scene.phases.size(); ++k) {
     for (const model::Event& event : scene.phases[k].until) {
-      if (event.kind == model::EventKind::kExpression && event.then == static_cast<int>(k) &&
-          event.impact && event.impact->restitution > 0 && event.impact->restitution < 1) {
-        result.push_back(
-            {where, fmt::format("phase '{}': rebounds at an expression never come to rest: once "
-                                "they are too small to be seen `step` lets it go on beyond zero "
-                                "(at a touch_down they may)",
-                                shown(scene.phases[k].name))});
+      const bool goes_on = event.impact && event.then == static_cast<int>(k);
+      if (const std::string why = goes_on ? impact_without_rest(scene, event) : ""; !why.empty()) {
+        result.push_back({where, fmt::format("phase '{}': {}", shown(scene.phases[k].name), why)});
       }
     }
   }
@@ -353,8 +368,12 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   }
   if (model.scene) {
     const Location where{request.scene.value_or(request.model), 0, 0};
-    for (Warning& rebound : rebounds_without_rest(*model.scene, where)) {
-      warnings.push_back(std::move(rebound));
+    for (Warning& impact : impacts_without_rest(*model.scene, where)) {
+      warnings.push_back(std::move(impact));
+    }
+    if (request.accuracy_samples > 0) {
+      warnings.push_back(
+          {where, "functions of a scene have no errors; --accuracy-samples changes nothing"});
     }
   }
   for (Warning singular : model.scene ? description::joints_without_inertia(*model.scene)

@@ -1,6 +1,7 @@
 #include "system/files.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -57,6 +58,33 @@ class Folders {
 
  private:
   std::vector<fs::path> made_;
+};
+
+/// Keeps others that write sets of files out of a folder, where the file system has locks.
+class FolderLock {
+ public:
+  explicit FolderLock(fs::path folder) : folder_(folder.empty() ? "." : std::move(folder)) {
+    take();
+  }
+  /// Waits for those that have it; nothing if the folder is missing or the lock is held already.
+  void take() {
+    if (descriptor_ < 0) {
+      descriptor_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    }
+    ::flock(descriptor_, LOCK_EX);
+  }
+
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock() {
+    if (descriptor_ >= 0) {
+      ::close(descriptor_);
+    }
+  }
+
+ private:
+  fs::path folder_;
+  int descriptor_ = -1;
 };
 
 /// Where a symbolic link to a file leads; of anything else its own path.
@@ -246,11 +274,17 @@ void check_folder(const std::string& folder) {
 }
 
 int write_files(const std::vector<OutputFile>& files) {
+  if (files.empty()) {
+    return 0;
+  }
+  FolderLock lock(fs::path(files.front().path).parent_path());
   const HeldSignals signals;
   for (const OutputFile& file : files) {
     check_target(file.path);
   }
   Folders folders;
+  folders.make(fs::path(files.front().path).parent_path());
+  lock.take();
   std::vector<Temporary> temporaries;
   temporaries.reserve(files.size());
   for (const OutputFile& file : files) {

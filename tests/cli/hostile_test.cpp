@@ -1,11 +1,15 @@
 // Names, places and signals that somebody else chose.
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <future>
 
 #include <fmt/format.h>
 
@@ -219,6 +223,22 @@ TEST_F(Hostile, SignalsLeaveNothingHalfWritten) {
     EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0);
     EXPECT_TRUE(!fs::exists(out()) || files() == 3) << k;
   }
+}
+
+/// Two that write into one folder would mix their sets: the second one waits until the first is
+/// done.
+TEST_F(Hostile, WaitsForOthersThatWriteIntoTheFolder) {
+  fs::create_directories(out());
+  const int folder = ::open(out().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(::flock(folder, LOCK_EX), 0);
+  auto waiting = std::async(std::launch::async, [this] {
+    return treedyn({"generate", kModel, "--effort", "0", "-o", out()}).status;
+  });
+  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(2)), std::future_status::timeout);
+  EXPECT_EQ(files(), 0U);
+  ::close(folder);
+  EXPECT_EQ(waiting.get(), 0);
+  EXPECT_EQ(files(), 3U);
 }
 
 /// A signal that arrives while others wait acts behind what is done meanwhile.

@@ -186,6 +186,36 @@ TEST_F(Cli, WarnsOfReboundsThatNeverRest) {
   EXPECT_THAT(warnings("free", ""), Not(HasSubstr("rebounds")));
 }
 
+/// A ball on a floor that no phase holds: it sinks by g h / 2 a second.
+TEST_F(Cli, WarnsOfTouchDownsThatNothingHolds) {
+  write_file(scratch("ball.yaml"),
+             "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: z, type: "
+             "prismatic, axis: [0, 0, 1]}\n    mass: 1\npoints: [{name: foot, link: ball}]\n");
+  const auto warnings = [&](const std::string& impact, const std::string& then) {
+    write_file(scratch("s.yaml"),
+               "scene: s\nmodel: ball.yaml\nduration: 1\neffects:\n  gravity: [0, 0, -9.81]\n"
+               "  point_constraint: [{name: floor, point: foot, along: [z]}]\nphases:\n"
+               "  - name: air\n    active: []\n    until:\n      - {touch_down: {point: foot}, "
+               "impact: {constraints: [floor]" +
+                   impact + "}, then: " + then +
+                   "}\n  - {name: stand, active: [floor]}\ninitial: {q: {z: 0.1}}\n"
+                   "stepping: {integrator: rk4, step: 1e-3}\n");
+    return treedyn({"generate", "--scene", scratch("s.yaml"), "--effort", "0", "-o", out()}).err;
+  };
+  EXPECT_THAT(warnings("", "air"), HasSubstr("s.yaml: warning: phase 'air': nothing holds point "
+                                             "'foot' where its impact stops it"));
+  EXPECT_EQ(warnings("", "stand"), "");
+  EXPECT_EQ(warnings(", rest_below: 0.01", "air"), "");
+  EXPECT_EQ(warnings(", restitution: 0.5", "air"), "");
+}
+
+TEST_F(Cli, WarnsOfErrorsThatScenesDoNotHave) {
+  EXPECT_THAT(treedyn({"generate", "--scene", TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml",
+                       "--effort", "0", "--accuracy-samples", "5", "-o", out()})
+                  .err,
+              HasSubstr("functions of a scene have no errors; --accuracy-samples changes nothing"));
+}
+
 TEST_F(Cli, WarnsOfAnInitialStateThatSimulateRefuses) {
   const auto warnings = [&](const std::string& x) {
     write_file(
