@@ -138,10 +138,11 @@ std::string packing_tables(const Unit& unit) {
     result +=
         "\n" +
         wrapped(fmt::format(
-                    "Value k of {} is entry ({}Row[k], {}Column[k]){}; other entries "
-                    "are zero in every state{}.",
+                    "Value k of {} is entry ({}Row[k], {}Column[k]){}; {} are zero in every "
+                    "state{}.",
                     matrix.what, name, name, matrix.packing.mirrored ? " and its mirror image" : "",
-                    matrix.packing.is_zero ? ", and so is this one: no array has no element" : ""),
+                    matrix.packing.is_zero ? "all entries" : "other entries",
+                    matrix.packing.is_zero ? ", one is kept, as arrays have at least one" : ""),
                 "/// ") +
         fmt::format("constexpr int {}Nonzeros = {};\n", name, matrix.packing.size()) +
         index_table(name + "Row", matrix.packing.row) +

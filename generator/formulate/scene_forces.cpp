@@ -18,15 +18,15 @@ using model::Quantity;
 
 namespace {
 
-bool of_time(const model::Expression& e) { return e.uses(Quantity::kTime); }
+bool depends_on_time(const model::Expression& e) { return e.uses(Quantity::kTime); }
 
-bool any_of_time(std::span<const model::Expression> all) {
-  return std::ranges::any_of(all, [](const model::Expression& e) { return of_time(e); });
+bool any_depends_on_time(std::span<const model::Expression> all) {
+  return std::ranges::any_of(all, [](const model::Expression& e) { return depends_on_time(e); });
 }
 
 }  // namespace
 
-bool of_time(const model::VectorExpression& v) { return any_of_time(v); }
+bool depends_on_time(const model::VectorExpression& v) { return any_depends_on_time(v); }
 
 SceneForces::SceneForces(const Task& task, const SceneArrays& arrays)
     : task_(task), scene_(*task.options.scene), arrays_(arrays) {
@@ -111,15 +111,17 @@ bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
   const auto row_uses = [&](int c) {
     const model::Constraint& constraint = scene.constraints[to_index(c)];
     const bool stabilised = is_stabilised(scene, c);
-    return constraint.accelerations.empty() ? of_time(constraint.curve.acceleration) ||
-                                                  (stabilised && of_time(constraint.curve.position))
-                                            : any_of_time(constraint.accelerations);
+    return constraint.accelerations.empty()
+               ? depends_on_time(constraint.curve.acceleration) ||
+                     (stabilised && depends_on_time(constraint.curve.position))
+               : any_depends_on_time(constraint.accelerations);
   };
   return std::ranges::any_of(active, row_uses) ||
-         std::ranges::any_of(scene.joint_laws,
-                             [](const model::JointLaw& law) { return of_time(law.force); }) ||
+         std::ranges::any_of(
+             scene.joint_laws,
+             [](const model::JointLaw& law) { return depends_on_time(law.force); }) ||
          std::ranges::any_of(scene.point_laws,
-                             [](const model::PointLaw& law) { return of_time(law.value); });
+                             [](const model::PointLaw& law) { return depends_on_time(law.value); });
 }
 
 }  // namespace treedyn::formulate

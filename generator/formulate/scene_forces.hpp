@@ -45,7 +45,7 @@ class SceneForces {
 };
 
 /// True if a component depends on time.
-bool of_time(const model::VectorExpression& v);
+bool depends_on_time(const model::VectorExpression& v);
 /// True if some force of the scene, or a row of these constraints, depends on time.
 bool uses_time(const model::Scene& scene, const std::vector<int>& active);
 

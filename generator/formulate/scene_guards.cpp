@@ -88,7 +88,8 @@ std::vector<Expr> build_anchors(const Task& task) {
 
 bool anchors_use_time(const model::Scene& scene) {
   for (int c = 0; c < static_cast<int>(scene.constraints.size()); ++c) {
-    if (anchor_size(scene, c) > 0 && of_time(scene.constraints[to_index(c)].curve.position)) {
+    if (anchor_size(scene, c) > 0 &&
+        depends_on_time(scene.constraints[to_index(c)].curve.position)) {
       return true;
     }
   }

@@ -16,8 +16,8 @@ namespace {
 /// The local search is interrupted so often to look for equal values.
 constexpr int kParts = 4;
 
-/// Factors by which values may lose accuracy: the second where an output would lose too much.
-constexpr std::array kAmplifications = {16.0, 4.0, 2.0, 1.0};
+/// Factors by which values may lose accuracy: the next one where an output would lose too much.
+constexpr std::array kAmplifications = {kMostAmplification, 4.0, 2.0, 1.0};
 
 /// `resubstitute` until it saves nothing more.
 Network resubstituted(Network network, const RoundingGuard& guard, Quotients quotients) {

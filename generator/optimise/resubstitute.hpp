@@ -10,6 +10,9 @@ namespace treedyn::optimise {
 /// kApart keeps those that divide by nothing good for zeros.
 enum class Quotients { kAnywhere, kApart };
 
+/// The bound of rounding errors of a value may grow by this factor.
+inline constexpr double kMostAmplification = 16;
+
 /// Replaces values that are zero, equal to another value, a multiple of one, or the sum,
 /// difference or product of two others, where that saves operations; the same for two terms of a
 /// sum or two factors of a product: identities that no rule of
@@ -20,9 +23,9 @@ enum class Quotients { kAnywhere, kApart };
 /// of values are tried in networks of up to some thousand items, O(n^2 log n); the rest is
 /// O(n log n).
 /// \param[in,out] network  normalised before, not afterwards
-/// \param amplification  factor by which the bound of rounding errors of a value may grow
+/// \param amplification  the same with less freedom
 /// \return the number of replacements
 int resubstitute(Network& network, Quotients quotients = Quotients::kAnywhere,
-                 double amplification = 16);
+                 double amplification = kMostAmplification);
 
 }  // namespace treedyn::optimise

@@ -312,6 +312,10 @@ std::vector<Warning> places_without_effect(const Model& model, const Location& w
   return result;
 }
 
+bool presses(const model::Vector3& gravity, const model::Vector3& normal) {
+  return gravity[0] * normal[0] + gravity[1] * normal[1] + gravity[2] * normal[2] < 0;
+}
+
 /// Why what an impact stops in a phase that goes on does not stay there, which a generated step
 /// does not see; nothing if it may.
 std::string impact_without_rest(const model::Scene& scene, const model::Event& event) {
@@ -322,11 +326,12 @@ std::string impact_without_rest(const model::Scene& scene, const model::Event& e
            "`step` lets it go on beyond zero (at a touch_down they may)";
   }
   if (event.kind == model::EventKind::kHeight && impact.restitution == 0 &&
-      impact.rest_below == 0 && !model::struck(scene, event).empty()) {
+      impact.rest_below == 0 && presses(scene.gravity, event.plane.normal) &&
+      model::floor_of(scene, event, model::struck(scene, event)) >= 0) {
     return fmt::format(
-        "nothing holds point '{}' where its impact stops it: where it is pressed on "
-        "`step` lets it sink, which the status event_missed says (`then` a phase in "
-        "which the constraint acts, or rest_below)",
+        "nothing holds point '{}' where its impact stops it: gravity may let it sink in `step`, "
+        "which the status event_missed says (`then` a phase in which the constraint acts, or "
+        "rest_below)",
         shown(scene.points[to_index(event.point)].name));
   }
   return "";
@@ -371,7 +376,9 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
     for (Warning& impact : impacts_without_rest(*model.scene, where)) {
       warnings.push_back(std::move(impact));
     }
-    if (request.accuracy_samples > 0) {
+    const bool has_errors = std::ranges::any_of(
+        model.functions, [](const std::string& name) { return equations::find(name) != nullptr; });
+    if (request.accuracy_samples > 0 && !has_errors && model.equations.empty()) {
       warnings.push_back(
           {where, "functions of a scene have no errors; --accuracy-samples changes nothing"});
     }

@@ -393,7 +393,7 @@ void Simulator::guard_against_standstill(double end) {
   }
 }
 
-Stability Simulator::stability(Dynamics& dynamics, const Vector& qd) {
+Stability Simulator::stability(Dynamics& dynamics, const Vector& qd, Closed contacts) {
   System closed(scene_, dynamics, alpha(settings_));
   closed.constraints() = system_.constraints();
   std::vector<int> active = system_.constraints().active();
@@ -404,20 +404,28 @@ Stability Simulator::stability(Dynamics& dynamics, const Vector& qd) {
   for (std::size_t k = 0; k < closed.frictions().size(); ++k) {
     stick_or_slip(closed, t_, y_, k);
   }
-  Stability result = stability_at(scene_, closed, t_, q(), qd);
-  for (const StabilityLimit& limit : result.limits) {
+  return stability_at(scene_, closed, t_, q(), qd, contacts);
+}
+
+Stability Simulator::stability(Dynamics& dynamics) {
+  Stability result = stability(dynamics, qd(), Closed::kAll);
+  note_limit(result, "step", "with contacts closed");
+  return result;
+}
+
+void Simulator::note_limit(const Stability& stability, const std::string& kind,
+                           const std::string& state) {
+  for (const StabilityLimit& limit : stability.limits) {
     if (integrator_->error_order() > 0 || limit.integrator != settings_.integrator || !limit.step ||
         settings_.step <= *limit.step) {
       continue;
     }
     monitor_.note(
-        {"step", limit.integrator, t_, settings_.step, *limit.step, "s",
-         fmt::format(
-             "a step of {:.4g} s is beyond the stability limit of {}, {:.3g} s at t = {:.6g} "
-             "s with contacts closed; a stable step is {:.2g} s",
-             settings_.step, limit.integrator, *limit.step, t_, 0.9 * *limit.step)});
+        {kind, limit.integrator, t_, settings_.step, *limit.step, "s",
+         fmt::format("a step of {:.4g} s is beyond the stability limit of {}, {:.3g} s at t = "
+                     "{:.6g} s {}; a stable step is {:.2g} s",
+                     settings_.step, limit.integrator, *limit.step, t_, state, 0.9 * *limit.step)});
   }
-  return result;
 }
 
 void Simulator::judge_rest(Dynamics& dynamics) {
@@ -425,11 +433,19 @@ void Simulator::judge_rest(Dynamics& dynamics) {
     return;
   }
   try {
-    const Vector speeds = qd();
-    const Vector there = system_.accelerate(t_, q(), speeds).qdd.cwiseAbs();
-    const Vector back = system_.accelerate(t_, q(), -speeds).qdd.cwiseAbs();
-    const Vector most = settings_.step * there.cwiseMax(back);
-    stability(dynamics, (speeds.array().abs() <= most.array()).select(0, speeds));
+    Vector speeds = qd();
+    const Vector there = system_.accelerate(t_, q(), speeds).qdd;
+    const Vector back = system_.accelerate(t_, q(), -speeds).qdd;
+    bool rests = false;
+    for (Eigen::Index k = 0; k < speeds.size(); ++k) {
+      const bool opposed = there[k] * speeds[k] < 0 && back[k] * speeds[k] > 0;
+      const double most = settings_.step * std::max(std::fabs(there[k]), std::fabs(back[k]));
+      speeds[k] = opposed && std::fabs(speeds[k]) <= most ? 0 : speeds[k];
+      rests |= speeds[k] == 0;
+    }
+    if (rests) {
+      note_limit(stability(dynamics, speeds, Closed::kTouching), "rest", "with joints at rest");
+    }
   } catch (const std::runtime_error&) {  // a state nearby has no accelerations: no limit to tell
   }
 }

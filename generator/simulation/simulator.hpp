@@ -106,9 +106,10 @@ class Simulator {
   [[nodiscard]] const std::vector<EventRecord>& events() const { return events_; }
   [[nodiscard]] const Monitor& monitor() const { return monitor_; }
   /// Stability limits in the state of now; a warning if the step of the method exceeds its own.
-  Stability stability(Dynamics& dynamics) { return stability(dynamics, qd()); }
-  /// The warning for the state of now, where speeds that a step of a fixed length may end are zero:
-  /// what holds a body at rest is stiffest there.
+  Stability stability(Dynamics& dynamics);
+  /// A warning if the step of a method with fixed steps exceeds its limit at rest: where speeds
+  /// that forces oppose on both sides, and that one step may end, are zero. What holds a body there
+  /// is stiffest then. Contacts count that touch.
   void judge_rest(Dynamics& dynamics);
   /// Accelerations and reactions now.
   const Solution& solution() { return system_.accelerate(t_, q(), qd()); }
@@ -127,7 +128,8 @@ class Simulator {
   };
 
   [[nodiscard]] bool lands(const model::Event& event) const;
-  Stability stability(Dynamics& dynamics, const Vector& qd);
+  Stability stability(Dynamics& dynamics, const Vector& qd, Closed closed);
+  void note_limit(const Stability& stability, const std::string& kind, const std::string& state);
   void refuse_undefined_rows();
   void rate(double t, const Vector& y, Vector& dy);
   void take(double h);

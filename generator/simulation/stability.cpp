@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 constexpr double kDifferenceOfState = 1e-6;
 constexpr double kPartOfDepth = 1e-2;
 /// A force may be steeper than a difference of speeds shows: the part of one that is tried, how
-/// much more makes it steeper, and the part of the acceleration that is no rounding.
+/// much more makes it steeper, and the part of the acceleration that may be rounding.
 constexpr double kPartOfSpeed = 1e-3;
 constexpr double kSteeper = 1.01;
 constexpr double kSeen = 1e-6;
@@ -85,6 +85,19 @@ double closed_depth(System& system, std::size_t k, double t, const Vector& q, co
   const double carried =
       depth_of([&](double d) { return force_at(contact, d); }, arrival.mass * fall);
   return std::max({held, carried, -height});
+}
+
+/// Opens those that do not touch. \return the depths, of those zero
+std::vector<double> keep_contacts(System& system, const Vector& q) {
+  std::vector<double> depths;
+  const Vector p = system.geometry(q).p();
+  for (std::size_t k = 0; k < system.forces().contacts().size(); ++k) {
+    const ContactLaw& contact = system.forces().contacts()[k];
+    const double height = contact.plane().height(p.segment<3>(3 * contact.point()));
+    system.forces().touch(k, height < 0);
+    depths.push_back(std::max(0.0, -height));
+  }
+  return depths;
 }
 
 /// Closes every contact. \return the depths
@@ -246,15 +259,19 @@ std::optional<double> euler_limit(const Eigen::MatrixXd& f, const Eigen::VectorX
 }  // namespace
 
 Stability stability_at(const model::Scene& scene, System& system, double t, const Vector& q,
-                       const Vector& qd) {
+                       const Vector& qd, Closed closed) {
   Stability result;
   const Eigen::Index n = q.size();
   if (n > kStabilityJoints) {
     return result;
   }
-  const std::vector<double> depths = close_contacts(system, t, q, qd);
+  const std::vector<double> depths =
+      closed == Closed::kAll ? close_contacts(system, t, q, qd) : keep_contacts(system, q);
   double most = 1;
   for (std::size_t k = 0; k < depths.size(); ++k) {
+    if (depths[k] == 0) {
+      continue;
+    }
     const int point = system.forces().contacts()[k].point();
     result.depths.emplace_back(scene.points[static_cast<std::size_t>(point)].name, depths[k]);
     most = std::min(most, kPartOfDepth * depths[k]);

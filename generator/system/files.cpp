@@ -7,10 +7,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -60,20 +62,20 @@ class Folders {
   std::vector<fs::path> made_;
 };
 
-/// Keeps others that write sets of files out of a folder, where the file system has locks.
+/// Keeps others that write sets of files out of a folder, where the file system has locks. A caller
+/// may have locked the folder itself, so nobody is waited for longer than two seconds.
 class FolderLock {
  public:
-  explicit FolderLock(fs::path folder) : folder_(folder.empty() ? "." : std::move(folder)) {
-    take();
-  }
-  /// Waits for those that have it; nothing if the folder is missing or the lock is held already.
-  void take() {
-    if (descriptor_ < 0) {
-      descriptor_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  explicit FolderLock(const fs::path& folder)
+      : descriptor_(
+            ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    constexpr int kMostTries = 200;
+    for (int k = 0;
+         k < kMostTries && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+         ++k) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    ::flock(descriptor_, LOCK_EX);
   }
-
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   ~FolderLock() {
@@ -83,8 +85,7 @@ class FolderLock {
   }
 
  private:
-  fs::path folder_;
-  int descriptor_ = -1;
+  int descriptor_;
 };
 
 /// Where a symbolic link to a file leads; of anything else its own path.
@@ -277,14 +278,13 @@ int write_files(const std::vector<OutputFile>& files) {
   if (files.empty()) {
     return 0;
   }
-  FolderLock lock(fs::path(files.front().path).parent_path());
   const HeldSignals signals;
   for (const OutputFile& file : files) {
     check_target(file.path);
   }
   Folders folders;
   folders.make(fs::path(files.front().path).parent_path());
-  lock.take();
+  const FolderLock lock(fs::path(files.front().path).parent_path());
   std::vector<Temporary> temporaries;
   temporaries.reserve(files.size());
   for (const OutputFile& file : files) {

@@ -191,12 +191,13 @@ TEST_F(Cli, WarnsOfTouchDownsThatNothingHolds) {
   write_file(scratch("ball.yaml"),
              "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: z, type: "
              "prismatic, axis: [0, 0, 1]}\n    mass: 1\npoints: [{name: foot, link: ball}]\n");
-  const auto warnings = [&](const std::string& impact, const std::string& then) {
+  const auto warnings = [&](const std::string& impact, const std::string& then,
+                            const std::string& gravity = "[0, 0, -9.81]") {
     write_file(scratch("s.yaml"),
-               "scene: s\nmodel: ball.yaml\nduration: 1\neffects:\n  gravity: [0, 0, -9.81]\n"
-               "  point_constraint: [{name: floor, point: foot, along: [z]}]\nphases:\n"
-               "  - name: air\n    active: []\n    until:\n      - {touch_down: {point: foot}, "
-               "impact: {constraints: [floor]" +
+               "scene: s\nmodel: ball.yaml\nduration: 1\neffects:\n  gravity: " + gravity +
+                   "\n  point_constraint: [{name: floor, point: foot, along: [z]}]\nphases:\n"
+                   "  - name: air\n    active: []\n    until:\n      - {touch_down: {point: foot}, "
+                   "impact: {constraints: [floor]" +
                    impact + "}, then: " + then +
                    "}\n  - {name: stand, active: [floor]}\ninitial: {q: {z: 0.1}}\n"
                    "stepping: {integrator: rk4, step: 1e-3}\n");
@@ -207,6 +208,7 @@ TEST_F(Cli, WarnsOfTouchDownsThatNothingHolds) {
   EXPECT_EQ(warnings("", "stand"), "");
   EXPECT_EQ(warnings(", rest_below: 0.01", "air"), "");
   EXPECT_EQ(warnings(", restitution: 0.5", "air"), "");
+  EXPECT_EQ(warnings("", "air", "[9.81, 0, 0]"), "");  // a wall
 }
 
 TEST_F(Cli, WarnsOfErrorsThatScenesDoNotHave) {
@@ -214,6 +216,11 @@ TEST_F(Cli, WarnsOfErrorsThatScenesDoNotHave) {
                        "--effort", "0", "--accuracy-samples", "5", "-o", out()})
                   .err,
               HasSubstr("functions of a scene have no errors; --accuracy-samples changes nothing"));
+  EXPECT_EQ(treedyn({"generate", "--scene", TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml",
+                     "--functions", "inverse_dynamics", "--effort", "0", "--accuracy-samples", "5",
+                     "-o", out()})
+                .err,
+            "");
 }
 
 TEST_F(Cli, WarnsOfAnInitialStateThatSimulateRefuses) {

@@ -305,10 +305,27 @@ TEST_F(Simulate, WarnsOfStepsThatAreTooLongForTheRestAtTheEnd) {
             push + "}]\ninitial: {qd: {x: 1}}\nstepping: {integrator: rk4, step: " + step + "}\n");
     return treedyn({scratch("s.yaml").string(), "-o", out()}).err;
   };
-  EXPECT_THAT(errors("1e-3", "6"), HasSubstr("warning: a step of 0.001 s is beyond the stability "
-                                             "limit of rk4, 5.57e-05 s at t = 1 s"));
+  EXPECT_THAT(errors("1e-3", "6"),
+              HasSubstr("warning: a step of 0.001 s is beyond the stability "
+                        "limit of rk4, 5.57e-05 s at t = 1 s with joints at rest; a "
+                        "stable step is 5e-05 s"));
   EXPECT_EQ(errors("5e-5", "6"), "");
-  EXPECT_EQ(errors("1e-3", "11"), "");  // it does not come to rest
+  EXPECT_EQ(errors("1e-3", "11"), "");               // it does not come to rest
+  EXPECT_EQ(errors("1e-3", "60*cos(6*t) - 1"), "");  // speeds of zero that are no rest
+}
+
+/// A ball in the air at the end touches nothing there, however stiff the floor is.
+TEST_F(Simulate, DoesNotWarnOfContactsThatAreOpenAtTheEnd) {
+  write_file(scratch("model.yaml"),
+             "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: z, type: "
+             "prismatic, axis: [0, 0, 1]}\n    mass: 1\npoints: [{name: foot, link: ball}]\n");
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: model.yaml\nduration: 1\neffects:\n  gravity: [0, 0, -9.81]\n"
+             "  ground_contact: [{point: foot, stiffness: 1e8, exponent: 1.5}]\ninitial: {qd: {z: "
+             "10}}\nstepping: {integrator: rk4, step: 0.001}\n");
+  for (const char* const duration : {"1", "1.0194", "1.5"}) {
+    EXPECT_EQ(treedyn({scratch("s.yaml").string(), "--duration", duration, "-o", out()}).err, "");
+  }
 }
 
 /// 20 J are more than the 10 J of the fall: what they are judged by is named.
