@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -83,6 +84,20 @@ std::string pattern_text(const block::Pattern& pattern, int most_blocks) {
   return result;
 }
 
+/// Leaves out terms below 1e-44 of the largest: what is left where numbers of 50 digits cancel.
+void drop_rounding(std::vector<Polynomial>& entries) {
+  GiNaC::numeric largest = 0;
+  for (const Polynomial& entry : entries) {
+    for (const auto& [monomial, coefficient] : entry) {
+      largest = std::max(largest, GiNaC::abs(coefficient));
+    }
+  }
+  const GiNaC::numeric least = largest * GiNaC::numeric("1e-44");
+  for (Polynomial& entry : entries) {
+    std::erase_if(entry, [&](const auto& term) { return GiNaC::abs(term.second) < least; });
+  }
+}
+
 class Dump {
  public:
   Dump(const model::Tree& tree, std::span<const model::Point> points, const model::Vector3& gravity,
@@ -113,13 +128,16 @@ class Dump {
       return {};
     }
     const Entries expanded = expansion_->expand(e);
+    std::vector<Polynomial> entries;
+    for (int n = 0; n < expanded.rows * expanded.cols; ++n) {
+      entries.push_back(
+          polynomial(expansion_->ring(), expanded.at(n / expanded.cols, n % expanded.cols)));
+    }
+    drop_rounding(entries);
     std::string result;
     for (int n = 0; n < expanded.rows * expanded.cols; ++n) {
-      const int i = n / expanded.cols;
-      const int j = n % expanded.cols;
-      const Polynomial entry = polynomial(expansion_->ring(), expanded.at(i, j));
-      if (!entry.empty()) {
-        result += fmt::format("  [{},{}] = {}\n", i, j,
+      if (const Polynomial& entry = entries[to_index(n)]; !entry.empty()) {
+        result += fmt::format("  [{},{}] = {}\n", n / expanded.cols, n % expanded.cols,
                               to_text(expansion_->ring(), entry, options_.most_terms));
       }
     }

@@ -18,8 +18,8 @@ struct DumpOptions {
 
 /// What `treedyn info --equations` prints: D with its zero blocks ('.'), then for every function
 /// its block equation, the definitions it uses, its zero pattern and, for a small tree, its
-/// entries. The same text on every run and machine. \pre the functions are names of
-/// equations::table().
+/// entries (terms that are rounding left out). The same text on every run and machine. \pre the
+/// functions are names of equations::table().
 std::string dump(const model::Tree& tree, std::span<const model::Point> points,
                  const model::Vector3& gravity, const DumpOptions& options);
 

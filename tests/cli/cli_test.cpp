@@ -645,6 +645,19 @@ TEST_F(Cli, RepeatsTheOptionsThatMatterInTheHeader) {
                 "--points\n//       tip=forearm:1,0,0 --gravity 0,-9.81,0 --effort 0\n"));
 }
 
+/// Axes in no direction of their own have 50 digits: what is left where they cancel is not shown.
+TEST_F(Cli, ShowsEquationsWithoutRounding) {
+  write_file(scratch("tilted.yaml"),
+             "name: tilted\nlinks:\n"
+             "  - {name: a, father: ground, joint: {name: j, type: revolute, axis: [0.801, -0.011, "
+             "0.515]}, mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0, 0, 0.2, 0, 0.25]}\n"
+             "  - {name: b, father: a, joint: {name: k, type: revolute, axis: [0, 0, 1], offset: "
+             "[0.1, 0, 0.2], rotation: {rpy: [pi/2, 0, 0]}}, mass: 2, com: [0, 0.1, 0]}\n");
+  const std::string text = treedyn({"info", scratch("tilted.yaml"), "--equations"}).out;
+  EXPECT_THAT(text, HasSubstr("  [0,1] = "));
+  EXPECT_THAT(text, Not(testing::ContainsRegex("e-[3-9][0-9]")));
+}
+
 /// dA/dt of a turning and a sliding root is zero; C has no array without an element.
 TEST_F(Cli, SaysWhereNothingOfAPackedMatrixIsLeft) {
   write_file(
