@@ -128,7 +128,7 @@ class Simulator {
   };
 
   [[nodiscard]] bool lands(const model::Event& event) const;
-  Stability stability(Dynamics& dynamics, const Vector& qd, Closed closed);
+  Stability stability(Dynamics& dynamics, const Vector& qd, Closed contacts);
   void note_limit(const Stability& stability, const std::string& kind, const std::string& state);
   void refuse_undefined_rows();
   void rate(double t, const Vector& y, Vector& dy);
