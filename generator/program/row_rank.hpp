@@ -31,7 +31,8 @@ struct OrdinaryRows {
   [[nodiscard]] bool is_rounding(std::size_t row) const {
     return row < lengths.size() && lengths[row] == 0;
   }
-  /// Sizes of rows that are rounding become the largest of all, beside which they are nothing.
+  /// Sizes of rows that are rounding become the largest of the others, or 1, beside which they are
+  /// nothing.
   template <class Scalar>
   void raise_rounding(std::span<Scalar> sizes) const;
 };
@@ -39,8 +40,8 @@ struct OrdinaryRows {
 template <class Scalar>
 void OrdinaryRows::raise_rounding(std::span<Scalar> sizes) const {
   Scalar largest = 0;
-  for (const Scalar& size : sizes) {
-    largest = std::max(largest, size);
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    largest = is_rounding(k) ? largest : std::max(largest, sizes[k]);
   }
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     if (is_rounding(k)) {

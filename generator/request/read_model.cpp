@@ -320,6 +320,9 @@ bool presses(const model::Vector3& gravity, const model::Vector3& normal) {
 /// does not see; nothing if it may.
 std::string impact_without_rest(const model::Scene& scene, const model::Event& event) {
   const model::Impact& impact = *event.impact;
+  const auto sticks = [&](int c) {
+    return scene.constraints[to_index(c)].sticks;
+  };
   if (event.kind == model::EventKind::kExpression && impact.restitution > 0 &&
       impact.restitution < 1) {
     return "rebounds at an expression never come to rest: once they are too small to be seen "
@@ -327,11 +330,12 @@ std::string impact_without_rest(const model::Scene& scene, const model::Event& e
   }
   if (event.kind == model::EventKind::kHeight && impact.restitution == 0 &&
       impact.rest_below == 0 && presses(scene.gravity, event.plane.normal) &&
-      model::floor_of(scene, event, model::struck(scene, event)) >= 0) {
+      model::floor_of(scene, event, model::struck(scene, event)) >= 0 &&
+      std::ranges::none_of(scene.phases[to_index(event.then)].active, sticks)) {
     return fmt::format(
-        "nothing holds point '{}' where its impact stops it: gravity may let it sink in `step`, "
-        "which the status event_missed says (`then` a phase in which the constraint acts, or "
-        "rest_below)",
+        "no constraint holds point '{}' where its impact stops it: unless a force does, gravity "
+        "makes it sink in `step`, which the status event_missed says (`then` a phase in which the "
+        "constraint acts, or rest_below)",
         shown(scene.points[to_index(event.point)].name));
   }
   return "";

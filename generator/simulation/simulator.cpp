@@ -31,6 +31,8 @@ Vector to_vector(const std::vector<Real>& values) {
 
 /// The part of the robot's size, or rad, that drift may reach where nothing is done against it.
 constexpr double kDriftOfNone = 0.1;
+/// What slows down so much that so many steps would end it is at rest.
+constexpr double kStepsToRest = 10;
 
 /// Who asks for drift does not want to end by it while the robot is about whole, unless a bound of
 /// his own says so.
@@ -439,7 +441,8 @@ void Simulator::judge_rest(Dynamics& dynamics) {
     bool rests = false;
     for (Eigen::Index k = 0; k < speeds.size(); ++k) {
       const bool opposed = there[k] * speeds[k] < 0 && back[k] * speeds[k] > 0;
-      const double most = settings_.step * std::max(std::fabs(there[k]), std::fabs(back[k]));
+      const double now = kStepsToRest * std::fabs(there[k]);  // not of what goes on steadily
+      const double most = settings_.step * std::min(now, std::fabs(back[k]));
       speeds[k] = opposed && std::fabs(speeds[k]) <= most ? 0 : speeds[k];
       rests |= speeds[k] == 0;
     }

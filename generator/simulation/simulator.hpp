@@ -108,7 +108,7 @@ class Simulator {
   /// Stability limits in the state of now; a warning if the step of the method exceeds its own.
   Stability stability(Dynamics& dynamics);
   /// A warning if the step of a method with fixed steps exceeds its limit at rest: where speeds
-  /// that forces oppose on both sides, and that one step may end, are zero. What holds a body there
+  /// that forces oppose on both sides, and that few steps end, are zero. What holds a body there
   /// is stiffest then. Contacts count that touch.
   void judge_rest(Dynamics& dynamics);
   /// Accelerations and reactions now.

@@ -158,21 +158,44 @@ void check_plain(const model::Scene& scene, const program::Function& function,
   require_small(function.signature.name, "element", residual, largest(ours));
 }
 
-/// The values of all stages with the multipliers that K and b ask for, and the smallest pivot of K.
-Solution solved_values(const program::Staged& staged, State& state) {
-  Real least = 1;
+/// Values of all stages.
+struct StageValues {
+  Values values;
+  Real least = 1;              ///< the smallest pivot of K
+  std::vector<bool> left_out;  ///< rows that joints move by the last digits of lengths alone
+};
+
+/// Leaves out rows whose diagonal entry of K is below 1e-30 of their size, 15 decades below what
+/// the code takes for rounding: their entries of J have no 34 digits.
+std::vector<bool> leave_out(const program::RowSolve& solve, Matrix& K, Values& b) {
+  std::vector<bool> result(b.size());
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    result[k] = K[k][k] <= Real("1e-30") * Real(solve.sizes[k]);
+    for (std::size_t i = 0; result[k] && i < b.size(); ++i) {
+      K[i][k] = K[k][i] = b[k] = 0;
+    }
+  }
+  return result;
+}
+
+/// The values of all stages with the multipliers that K and b ask for.
+StageValues solved_values(const program::Staged& staged, State& state) {
+  StageValues result;
   if (!staged.solves.empty()) {
-    const std::size_t r = to_index(staged.solves.front().rows);
+    const program::RowSolve& solve = staged.solves.front();
+    const std::size_t r = to_index(solve.rows);
     const Values first = state.evaluate(staged.function);
     const auto size = static_cast<std::ptrdiff_t>(r * (r + 1) / 2);
     const Values lower(first.begin(), first.begin() + size);
-    const Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
-    const Matrix K = symmetric(lower, r);
-    Solution solution = staged.solves.front().regular() ? solved(K, b, 0) : least_squares(K, b);
+    Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
+    Matrix K = symmetric(lower, r);
+    result.left_out = leave_out(solve, K, b);
+    Solution solution = solve.regular() ? solved(K, b, 0) : least_squares(K, b);
     state.at(program::kMultiplierArray) = std::move(solution.x);
-    least = solution.least;
+    result.least = solution.least;
   }
-  return {state.evaluate(staged.function), least};
+  result.values = state.evaluate(staged.function);
+  return result;
 }
 
 /// What is left of A x = right + J^T y, and the largest sum of the sizes of its terms.
@@ -272,7 +295,11 @@ Real sizes_of_rows(const SceneEquations& equations, const std::vector<SceneEquat
 /// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
 /// J A^-1 J^T error = 0, as parts of the largest entry of this matrix.
 Values reachable_error(const program::Staged& staged, const SceneEquations& equations,
-                       const std::vector<SceneEquations::Row>& rows, Values error) {
+                       const std::vector<SceneEquations::Row>& rows, Values error,
+                       const std::vector<bool>& left_out_rows) {
+  for (std::size_t k = 0; k < left_out_rows.size(); ++k) {
+    error[k] = left_out_rows[k] ? Real(0) : error[k];
+  }
   if (staged.solves.empty() || staged.solves.front().regular()) {
     return error;
   }
@@ -302,7 +329,7 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
 
 void check_impact(const model::Scene& scene, const program::Staged& staged, StateSource& source) {
   State state(staged.function.signature, source);
-  const auto [values, least] = solved_values(staged, state);
+  const auto [values, least, left_out] = solved_values(staged, state);
   const std::size_t r = to_index(staged.solves.front().rows);
   const Values P(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
   const Values& minus = state.at("qd_minus");
@@ -326,7 +353,7 @@ void check_impact(const model::Scene& scene, const program::Staged& staged, Stat
   const Real of_inertia = least_pivot(equations);
   const std::string& name = staged.signature.name;
   require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
-  require_small(name, "row", reachable_error(staged, equations, rows, error.left),
+  require_small(name, "row", reachable_error(staged, equations, rows, error.left, left_out),
                 sizes_of_rows(equations, rows, error, motion.sizes, least), of_inertia * least);
 }
 
@@ -367,7 +394,7 @@ bool check_constrained(const model::Scene& scene, const program::Staged& staged,
   }
   const std::string& name = staged.signature.name;
   const auto n = to_index(scene.tree.dof());
-  const auto [values, least] = solved_values(staged, state);
+  const auto [values, least, left_out] = solved_values(staged, state);
   const std::size_t r = staged.solves.empty() ? 0 : to_index(staged.solves.front().rows);
   const auto contacts = static_cast<std::ptrdiff_t>(scene.contacts.size());
   const auto reactions = values.end() - contacts - static_cast<std::ptrdiff_t>(r);
@@ -386,7 +413,7 @@ bool check_constrained(const model::Scene& scene, const program::Staged& staged,
   }
   const Real of_inertia = least_pivot(equations);
   require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
-  require_small(name, "row", reachable_error(staged, equations, rows, error.left),
+  require_small(name, "row", reachable_error(staged, equations, rows, error.left, left_out),
                 sizes_of_rows(equations, rows, error, motion.sizes, least), of_inertia * least);
   return true;
 }
@@ -401,7 +428,7 @@ bool check_inverse(const model::Scene& scene, const program::Staged& staged, Sta
   if (!is_finite(force) || !is_finite(rows)) {
     return false;
   }
-  const auto [values, least] = solved_values(staged, state);
+  const auto [values, least, left_out] = solved_values(staged, state);
   const auto n = to_index(scene.tree.dof());
   const auto first =
       values.end() - static_cast<std::ptrdiff_t>(n + rows.size() + scene.contacts.size());

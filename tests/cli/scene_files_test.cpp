@@ -186,6 +186,32 @@ TEST_F(Cli, WarnsOfReboundsThatNeverRest) {
   EXPECT_THAT(warnings("free", ""), Not(HasSubstr("rebounds")));
 }
 
+/// Two points of one place but for the last digits of their lengths, 2e-18 m: what joins them moves
+/// by those alone, and its entries of J have not the digits of others.
+TEST_F(Cli, TakesRowsThatLastDigitsOfLengthsMove) {
+  write_file(
+      scratch("slide.yaml"),
+      "name: slide\nlinks:\n"
+      "  - {name: arm, father: ground, joint: {name: j, type: revolute, axis: [0, 1, 0]}, mass: "
+      "2.4, com: [0.03, -0.06, -0.05], inertia: [0.04, 0, 0, 0.046, 0, 0.034]}\n"
+      "  - {name: rod, father: arm, joint: {name: k, type: prismatic, axis: [0, 1, 0], offset: "
+      "[-0.46480145665037964, -0.24344700467552594, 0.17582579444797608]}, mass: 2.7, com: "
+      "[-0.08, 0.03, -0.18], inertia: [0.061, 0, 0, 0.06, 0, 0.045]}\n"
+      "points:\n"
+      "  - {name: p, link: arm, at: [-0.08656688552379604, -0.19428830989045448, "
+      "-0.010866047591184758]}\n"
+      "  - {name: o, link: rod, at: [0.3782345711265836, -0.6559267886825919, "
+      "-0.18669184203916084]}\n");
+  write_file(
+      scratch("s.yaml"),
+      "scene: s\nmodel: slide.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  joined_constraint: "
+      "[{name: c, point: p, other: o, along: [x, z]}]\ninitial: {q: {j: 0.59, k: "
+      "0.7050854834676634}}\nduration: 1\n");
+  const Outcome outcome =
+      treedyn({"generate", "--scene", scratch("s.yaml"), "--effort", "0", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 /// A ball on a floor that no phase holds: it sinks by g h / 2 a second.
 TEST_F(Cli, WarnsOfTouchDownsThatNothingHolds) {
   write_file(scratch("ball.yaml"),
@@ -203,8 +229,9 @@ TEST_F(Cli, WarnsOfTouchDownsThatNothingHolds) {
                    "stepping: {integrator: rk4, step: 1e-3}\n");
     return treedyn({"generate", "--scene", scratch("s.yaml"), "--effort", "0", "-o", out()}).err;
   };
-  EXPECT_THAT(warnings("", "air"), HasSubstr("s.yaml: warning: phase 'air': nothing holds point "
-                                             "'foot' where its impact stops it"));
+  EXPECT_THAT(warnings("", "air"),
+              HasSubstr("s.yaml: warning: phase 'air': no constraint holds point "
+                        "'foot' where its impact stops it"));
   EXPECT_EQ(warnings("", "stand"), "");
   EXPECT_EQ(warnings(", rest_below: 0.01", "air"), "");
   EXPECT_EQ(warnings(", restitution: 0.5", "air"), "");
