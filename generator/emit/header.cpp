@@ -135,18 +135,18 @@ std::string packing_tables(const Unit& unit) {
   std::string result;
   for (const PackedMatrix& matrix : unit.packed) {
     const std::string& name = matrix.constants;
-    result +=
-        "\n" +
-        wrapped(fmt::format(
-                    "Value k of {} is entry ({}Row[k], {}Column[k]){}; {} are zero in every "
-                    "state{}.",
-                    matrix.what, name, name, matrix.packing.mirrored ? " and its mirror image" : "",
-                    matrix.packing.is_zero ? "all entries" : "other entries",
-                    matrix.packing.is_zero ? ", one is kept, as arrays have at least one" : ""),
-                "/// ") +
-        fmt::format("constexpr int {}Nonzeros = {};\n", name, matrix.packing.size()) +
-        index_table(name + "Row", matrix.packing.row) +
-        index_table(name + "Column", matrix.packing.column);
+    const char* const zeros =
+        matrix.packing.is_zero
+            ? "all entries are zero in every state, one is kept, as arrays have at least one"
+            : "other entries are zero in every state";
+    result += "\n" +
+              wrapped(fmt::format("Value k of {} is entry ({}Row[k], {}Column[k]){}; {}.",
+                                  matrix.what, name, name,
+                                  matrix.packing.mirrored ? " and its mirror image" : "", zeros),
+                      "/// ") +
+              fmt::format("constexpr int {}Nonzeros = {};\n", name, matrix.packing.size()) +
+              index_table(name + "Row", matrix.packing.row) +
+              index_table(name + "Column", matrix.packing.column);
   }
   return result;
 }

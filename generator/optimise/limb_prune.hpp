@@ -1,8 +1,6 @@
 // Drops what crosses the border between trunk and limbs for nothing.
 #pragma once
 
-#include <functional>
-
 #include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
@@ -11,9 +9,5 @@ namespace treedyn::optimise {
 /// writes values of limbs that are a number as that number where they are needed. To be called
 /// before the columns are numbered. O(size of the graphs), a few times.
 void prune(LimbCode& code);
-
-/// The given outputs in a graph of their own, where `leaf` makes the inputs.
-Function rewritten(const Function& function, const std::vector<Ref>& outputs,
-                   const std::function<Ref(const Node&, Graph&)>& leaf);
 
 }  // namespace treedyn::optimise

@@ -10,6 +10,7 @@
 #include "common/transformed.hpp"
 #include "optimise/limb_partition.hpp"
 #include "optimise/limb_prune.hpp"
+#include "optimise/rewritten.hpp"
 
 namespace treedyn::optimise {
 

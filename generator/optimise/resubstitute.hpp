@@ -23,7 +23,7 @@ inline constexpr double kMostAmplification = 16;
 /// of values are tried in networks of up to some thousand items, O(n^2 log n); the rest is
 /// O(n log n).
 /// \param[in,out] network  normalised before, not afterwards
-/// \param amplification  the same with less freedom
+/// \param amplification  kMostAmplification, or less where that would cost an output its accuracy
 /// \return the number of replacements
 int resubstitute(Network& network, Quotients quotients = Quotients::kAnywhere,
                  double amplification = kMostAmplification);

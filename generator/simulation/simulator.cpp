@@ -31,8 +31,6 @@ Vector to_vector(const std::vector<Real>& values) {
 
 /// The part of the robot's size, or rad, that drift may reach where nothing is done against it.
 constexpr double kDriftOfNone = 0.1;
-/// What slows down so much that so many steps would end it is at rest.
-constexpr double kStepsToRest = 10;
 
 /// Who asks for drift does not want to end by it while the robot is about whole, unless a bound of
 /// his own says so.
@@ -42,10 +40,6 @@ Bounds bounds_of(const Settings& settings) {
     result.drift_end = kDriftOfNone;
   }
   return result;
-}
-
-double alpha(const Settings& settings) {
-  return settings.drift == Drift::kBaumgarte ? settings.stabilisation : 0;
 }
 
 std::vector<int> turning(const model::Tree& tree) {
@@ -63,7 +57,7 @@ std::vector<int> turning(const model::Tree& tree) {
 Simulator::Simulator(const model::Scene& scene, Dynamics& dynamics, const Settings& settings)
     : scene_(scene),
       settings_(settings),
-      system_(scene, dynamics, alpha(settings)),
+      system_(scene, dynamics, settings.baumgarte()),
       monitor_(scene, bounds_of(settings)),
       integrator_(make_integrator(settings.integrator)),
       rate_([this](double t, const Vector& y, Vector& dy) { rate(t, y, dy); }),
@@ -392,64 +386,6 @@ void Simulator::guard_against_standstill(double end) {
         "steps hardly advance time: {} of them, {:.2g} s in all, at t = {} s; more than {:.2g} for "
         "the rest (a stiff scene: --integrator sdirk2; or --max-steps)",
         kTrial, advance, t_, most));
-  }
-}
-
-Stability Simulator::stability(Dynamics& dynamics, const Vector& qd, Closed contacts) {
-  System closed(scene_, dynamics, alpha(settings_));
-  closed.constraints() = system_.constraints();
-  std::vector<int> active = system_.constraints().active();
-  std::erase_if(active, [&](int c) {  // frictions decide that below
-    return scene_.constraints[static_cast<std::size_t>(c)].sticks;
-  });
-  closed.constraints().activate(active);
-  for (std::size_t k = 0; k < closed.frictions().size(); ++k) {
-    stick_or_slip(closed, t_, y_, k);
-  }
-  return stability_at(scene_, closed, t_, q(), qd, contacts);
-}
-
-Stability Simulator::stability(Dynamics& dynamics) {
-  Stability result = stability(dynamics, qd(), Closed::kAll);
-  note_limit(result, "step", "with contacts closed");
-  return result;
-}
-
-void Simulator::note_limit(const Stability& stability, const std::string& kind,
-                           const std::string& state) {
-  for (const StabilityLimit& limit : stability.limits) {
-    if (integrator_->error_order() > 0 || limit.integrator != settings_.integrator || !limit.step ||
-        settings_.step <= *limit.step) {
-      continue;
-    }
-    monitor_.note(
-        {kind, limit.integrator, t_, settings_.step, *limit.step, "s",
-         fmt::format("a step of {:.4g} s is beyond the stability limit of {}, {:.3g} s at t = "
-                     "{:.6g} s {}; a stable step is {:.2g} s",
-                     settings_.step, limit.integrator, *limit.step, t_, state, 0.9 * *limit.step)});
-  }
-}
-
-void Simulator::judge_rest(Dynamics& dynamics) {
-  if (integrator_->error_order() > 0) {
-    return;
-  }
-  try {
-    Vector speeds = qd();
-    const Vector there = system_.accelerate(t_, q(), speeds).qdd;
-    const Vector back = system_.accelerate(t_, q(), -speeds).qdd;
-    bool rests = false;
-    for (Eigen::Index k = 0; k < speeds.size(); ++k) {
-      const bool opposed = there[k] * speeds[k] < 0 && back[k] * speeds[k] > 0;
-      const double now = kStepsToRest * std::fabs(there[k]);  // not of what goes on steadily
-      const double most = settings_.step * std::min(now, std::fabs(back[k]));
-      speeds[k] = opposed && std::fabs(speeds[k]) <= most ? 0 : speeds[k];
-      rests |= speeds[k] == 0;
-    }
-    if (rests) {
-      note_limit(stability(dynamics, speeds, Closed::kTouching), "rest", "with joints at rest");
-    }
-  } catch (const std::runtime_error&) {  // a state nearby has no accelerations: no limit to tell
   }
 }
 

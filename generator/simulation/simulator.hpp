@@ -29,6 +29,9 @@ struct Settings {
   Drift drift = Drift::kProjection;
   double stabilisation = 20;  ///< alpha of Baumgarte, 1/s
   Bounds bounds;
+
+  /// Alpha if Baumgarte's stabilisation acts, else 0.
+  [[nodiscard]] double baumgarte() const { return drift == Drift::kBaumgarte ? stabilisation : 0; }
 };
 
 /// Between places where guards are looked at joints turn by less than this in all, rad, and a step

@@ -283,8 +283,9 @@ int write_files(const std::vector<OutputFile>& files) {
     check_target(file.path);
   }
   Folders folders;
-  folders.make(fs::path(files.front().path).parent_path());
-  const FolderLock lock(fs::path(files.front().path).parent_path());
+  const fs::path folder = fs::path(files.front().path).parent_path();
+  folders.make(folder);
+  const FolderLock lock(folder);
   std::vector<Temporary> temporaries;
   temporaries.reserve(files.size());
   for (const OutputFile& file : files) {
