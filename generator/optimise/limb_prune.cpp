@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "common/index.hpp"
-#include "optimise/rewritten.hpp"
+#include "program/rewritten.hpp"
 
 namespace treedyn::optimise {
 
@@ -192,7 +192,7 @@ void Pruner::write_trunk() {
       given.push_back(keep_joint_values(c, place, outputs));
     }
   }
-  code_.trunk = rewritten(code_.trunk, outputs, [&](const Node& node, Graph& to) {
+  code_.trunk = with_inputs(code_.trunk, outputs, [&](const Node& node, Graph& to) {
     if (node.a < first_limb_) {
       return to.input(node.a, node.b);
     }
@@ -228,7 +228,7 @@ void Pruner::write_phases() {
     auto& inputs = phase.function.signature.inputs;
     const auto array = static_cast<int>(
         std::ranges::find(inputs, std::string(kLimbValues), &Array::name) - inputs.begin());
-    phase.function = rewritten(phase.function, outputs, [&](const Node& node, Graph& to) {
+    phase.function = with_inputs(phase.function, outputs, [&](const Node& node, Graph& to) {
       if (node.a >= kFixedArrays) {
         return to.input(node.a, node.b);
       }

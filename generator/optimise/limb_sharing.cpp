@@ -10,7 +10,7 @@
 #include "common/transformed.hpp"
 #include "optimise/limb_partition.hpp"
 #include "optimise/limb_prune.hpp"
-#include "optimise/rewritten.hpp"
+#include "program/rewritten.hpp"
 
 namespace treedyn::optimise {
 
@@ -168,8 +168,7 @@ void Writer::add_phase(int c, int stage) {
     });
     const Ref copy = copy_node(from_, k, copies, to);
     copies[program::node_index(k)] = copy;
-    to.set_hint(copy, from_.hint(k));
-    to.set_hint(-copy, from_.hint(-k));
+    copy_hints(from_, k, copy, to);
     computes = true;
   }
   if (!computes) {
@@ -230,8 +229,7 @@ void Writer::write_trunk() {
       for_each_operand(from_.node(k), of);
       const Ref copy = copy_node(from_, k, copies, to);
       copies[program::node_index(k)] = copy;
-      to.set_hint(copy, from_.hint(k));
-      to.set_hint(-copy, from_.hint(-k));
+      copy_hints(from_, k, copy, to);
     }
   }
   std::ranges::transform(function_.outputs, std::back_inserter(trunk.outputs), of);
@@ -281,7 +279,7 @@ void renumber_columns(LimbCode& code, int c) {
       continue;
     }
     phase.function =
-        rewritten(phase.function, phase.function.outputs, [&](const Node& node, Graph& to) {
+        with_inputs(phase.function, phase.function.outputs, [&](const Node& node, Graph& to) {
           if (node.a < kFixedArrays) {
             return to.input(node.a, node.b);
           }

@@ -12,6 +12,7 @@ namespace treedyn::optimise {
 namespace residue = program::residue;
 
 using program::Array;
+using program::copy_hints;
 using program::copy_of;
 using program::Cost;
 using program::Expr;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 #include <map>
 #include <set>
 
 #include "common/recipe.hpp"
 #include "optimise/constants.hpp"
 #include "optimise/optimise.hpp"
+#include "program/rewritten.hpp"
 
 namespace treedyn::optimise {
 
@@ -21,22 +21,12 @@ bool is_parameter(const Graph& graph, Ref k) {
 /// The same function, its numbers with recipes elements of the argument behind the others.
 /// \param numbers  of all functions that have recipes, each once
 Function separated(const Function& from, ConstantTable& numbers) {
-  Function result = from;
-  result.graph = Graph();
-  result.outputs.clear();
   const auto array = static_cast<int>(from.signature.inputs.size());
-  std::vector<Ref> copies(from.graph.size(), 0);
-  for (const Ref k : reachable(from.graph, from.outputs)) {
-    const Ref copy = is_parameter(from.graph, k)
-                         ? result.graph.input(array, numbers.find_or_add(from.graph.value(k)))
-                         : copy_node(from.graph, k, copies, result.graph);
-    copies[static_cast<std::size_t>(k)] = copy;
-    result.graph.set_hint(copy, from.graph.hint(k));
-    result.graph.set_hint(-copy, from.graph.hint(-k));
-  }
-  std::ranges::transform(from.outputs, std::back_inserter(result.outputs),
-                         [&](Ref output) { return copy_of(copies, output); });
-  return result;
+  return rewritten(from, from.outputs, [&](Ref k, Graph& to) {
+    return is_parameter(from.graph, k)
+               ? std::optional(to.input(array, numbers.find_or_add(from.graph.value(k))))
+               : std::nullopt;
+  });
 }
 
 /// Recipes as expressions of the parameters, which are array 0.

@@ -104,8 +104,7 @@ class Copy {
     std::ranges::for_each(operands, [&](Ref a) { visit(a); });
     const Ref copy = copy_node(from_, k, copies_, to_);
     copies_[static_cast<std::size_t>(k)] = copy;
-    to_.set_hint(copy, from_.hint(k));
-    to_.set_hint(-copy, from_.hint(-k));
+    copy_hints(from_, k, copy, to_);
   }
 
   const Graph& from_;

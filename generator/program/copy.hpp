@@ -16,4 +16,10 @@ inline Ref copy_of(std::span<const Ref> copies, Ref a) {
 /// \param copies  of the node's operands, by node number
 Ref copy_node(const Graph& from, Ref k, std::span<const Ref> copies, Graph& to);
 
+/// Gives the names of node `k` of `from`, and of its negative, to a value of `to`.
+inline void copy_hints(const Graph& from, Ref k, Ref copy, Graph& to) {
+  to.set_hint(copy, from.hint(k));
+  to.set_hint(-copy, from.hint(-k));
+}
+
 }  // namespace treedyn::program

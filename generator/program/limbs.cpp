@@ -222,8 +222,7 @@ void Folder::visit(Ref k) {
   const Ref made = copy(k);
   copies_[node_index(k)] = made;
   if (!to_.is_fixed(made) && to_.node(made).kind != Kind::kInput) {
-    to_.set_hint(made, from_.hint(k));
-    to_.set_hint(-made, from_.hint(-k));
+    copy_hints(from_, k, made, to_);
   }
 }
 

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "program/copy.hpp"
 #include "program/limb_code.hpp"
+#include "program/rewritten.hpp"
 
 namespace treedyn::program {
 
@@ -16,24 +15,6 @@ namespace {
 bool is_other_one(const Graph& graph, Ref k, const IsOne& is_one) {
   return graph.node(k).kind == Kind::kConstant && graph.value(k) != 1 &&
          graph.value(k).recipe() == 0 && is_one(graph.value(k));
-}
-
-/// `to` gets the nodes of `from` that its outputs need.
-void copy_without_ones(const Function& from, const IsOne& is_one, Function& to) {
-  std::vector<Ref> copies(from.graph.size(), 0);
-  for (const Ref k : reachable(from.graph, from.outputs)) {
-    const std::size_t known = to.graph.size();
-    const Ref copy = is_other_one(from.graph, k, is_one)
-                         ? to.graph.constant(Real(1))
-                         : copy_node(from.graph, k, copies, to.graph);
-    copies[static_cast<std::size_t>(k)] = copy;
-    if (to.graph.size() > known) {
-      to.graph.set_hint(copy, from.graph.hint(k));
-      to.graph.set_hint(-copy, from.graph.hint(-k));
-    }
-  }
-  std::ranges::transform(from.outputs, std::back_inserter(to.outputs),
-                         [&](Ref output) { return copy_of(copies, output); });
 }
 
 std::shared_ptr<const LimbCode> without_ones(const LimbCode& code, const IsOne& is_one) {
@@ -59,9 +40,10 @@ Function without_ones(const Function& function, const IsOne& is_one) {
       std::ranges::any_of(nodes, [&](Ref k) { return is_other_one(function.graph, k, is_one); });
   Function result = function;
   if (has_some) {
-    result.graph = Graph();
-    result.outputs.clear();
-    copy_without_ones(function, is_one, result);
+    result = rewritten(function, function.outputs, [&](Ref k, Graph& to) {
+      return is_other_one(function.graph, k, is_one) ? std::optional(to.constant(Real(1)))
+                                                     : std::nullopt;
+    });
   }
   if (function.limb_code) {
     result.limb_code = without_ones(*function.limb_code, is_one);
