@@ -114,7 +114,7 @@ Members outcome_members(const Outcome& outcome) {
 }  // namespace
 
 std::string report_csv(const Study& study) {
-  std::string text = csv_head() + "\r\n";
+  std::string text = csv_head() + "\n";
   for (const Outcome& outcome : study.outcomes) {
     const program::Cost cost = outcome.step_cost();
     const Setting& setting = outcome.setting;
@@ -132,7 +132,7 @@ std::string report_csv(const Study& study) {
     for (const Core& core : cores()) {
       text += fmt::format(",{:.6g}", outcome.cycles_per_second(core, true));
     }
-    text += "\r\n";
+    text += "\n";
   }
   return text;
 }

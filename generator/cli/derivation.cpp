@@ -181,7 +181,44 @@ std::string trunk_text(const Model& model, const Request& request) {
       rules_text({derive::Rule::kTrunk}) + "\nfor the trunk\n";
   for (const auto& [text, cost] :
        formulate::trunk_lines(model.tree, formulate_options(model, request))) {
-    result += fmt::format("  {:>5}  {}\n", cost.total(), text);
+    result += fmt::format("  {:>5}  {}  <- {}\n", cost.total(), text,
+                          derive::row_of(derive::Rule::kTrunk).name);
+  }
+  return result;
+}
+
+/// Those by which a function solves for its unknown.
+struct Ways {
+  bool articulated = false;
+  bool factor = false;
+};
+
+Ways ways_of(const model::Tree& tree, const Request& request, const std::string& name) {
+  const bool two = formulate::recipe_of(name).freedom.articulated && tree.dof() == tree.size();
+  const formulate::ForwardDynamics asked = request.forward_dynamics;
+  return {two && asked != formulate::ForwardDynamics::kFactor,
+          !two || asked != formulate::ForwardDynamics::kArticulated};
+}
+
+std::string solved_text(const Model& model, const Request& request, const std::string& name) {
+  const Ways ways = ways_of(model.tree, request, name);
+  const formulate::Options options = formulate_options(model, request);
+  std::string result;
+  if (formulate::recipe_of(name).freedom.articulated && formulate::has_trunk(model.tree)) {
+    result += trunk_text(model, request);
+  }
+  if (ways.articulated && ways.factor) {
+    result +=
+        "\ntwo ways: by articulated bodies, by the factor of A; the code takes the one that costs "
+        "less (--forward-dynamics)\n";
+  }
+  if (ways.articulated) {
+    result += "\nby articulated bodies\n" + derived_text(model, request, formulate::derived(name));
+  }
+  if (ways.factor) {
+    result += (ways.articulated ? "\nby the factor of A\n" : "") +
+              factored_text(model, request, formulate::factored(name),
+                            formulate::costs_of_numbers(model.tree, name, options));
   }
   return result;
 }
@@ -223,21 +260,13 @@ std::string derivation_text(const Model& model, const Request& request, const st
   std::string result =
       equation_text(name, e, is_own ? nullptr : ours) +
       (of_rate ? "\nof X in dot(X)" + words_text(*(*own)->equation.rate_of) : words_text(e));
-  const bool is_solved = !is_own && !ours->unknown.empty();
-  const bool by_trunk = is_solved && formulate::recipe_of(name).freedom.articulated &&
-                        formulate::has_trunk(model.tree);
-  result += by_trunk ? trunk_text(model, request) : "";
-  if (!is_solved || formulate::recipe_of(name).freedom.articulated) {
-    result += derived_text(
-        model, request,
-        is_own ? formulate::regrouped(model.tree, *own, formulate_options(model, request))
-               : formulate::derived(name));
+  if (!is_own && !ours->unknown.empty()) {
+    return result + solved_text(model, request, name);
   }
-  return is_solved
-             ? result + factored_text(model, request, formulate::factored(name),
-                                      formulate::costs_of_numbers(
-                                          model.tree, name, formulate_options(model, request)))
-             : result;
+  return result + derived_text(model, request,
+                               is_own ? formulate::regrouped(model.tree, *own,
+                                                             formulate_options(model, request))
+                                      : formulate::derived(name));
 }
 
 }  // namespace treedyn

@@ -114,6 +114,27 @@ Affine Opening::moment(const Value& v) {
 }
 
 Affine Opening::open(int x) {
+  Affine result = parts(x);
+  const auto follow = [&](int part) {
+    const Value& value = values_[part];
+    const Value& unsigned_value = value.op == Op::kLinear && value.operands.size() == 1
+                                      ? values_[value.operands.front()]
+                                      : value;
+    if (part != x && !unsigned_value.operands.empty()) {  // symbols stand in other lines, too
+      values_.note(values_.made_by(x), part);
+    }
+  };
+  for (const auto& [atom, block] : result.blocks) {
+    follow(block);
+  }
+  for (const auto& [factor, part] : result.rest) {
+    follow(part);
+  }
+  return result;
+}
+
+/// Of the value itself.
+Affine Opening::parts(int x) {
   const Value v = values_[x];
   const auto same = [](int X) {
     return X;

@@ -30,6 +30,7 @@ class Opening {
   Opening(Values& values, std::string unknown)
       : values_(values), algebra_(values), unknown_(std::move(unknown)) {}
 
+  /// What it is made of has the rules that made x.
   /// \throws NoComposites for products of unknowns and what has no such blocks
   Affine open(int x);
   [[nodiscard]] bool depends(int x) const;
@@ -40,6 +41,7 @@ class Opening {
   template <class Block, class Rest>
   Affine mapped(const Affine& a, Block block, Rest rest);
   Affine times(int X, const Affine& a);
+  Affine parts(int x);
   Affine sum(const Value& v);
   Affine scaled(const Value& v);
   Affine product(const Value& v);

@@ -1,6 +1,7 @@
 #include "derive/derivation_text.hpp"
 
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -78,34 +79,68 @@ void add_composite_names(const Values& values, const std::vector<int>& needed, N
 
 class Printer {
  public:
-  explicit Printer(const Values& values) : values_(values), names_(known_names(values)) {}
+  Printer(const Values& values, const std::vector<int>& roots)
+      : values_(values), needed_(values.needed(roots)) {
+    add_own_names();
+    add_field_names();
+  }
 
-  std::vector<Line> run(const std::vector<int>& roots) {
+  std::vector<Line> run() {
     std::vector<Line> result;
-    add_dynamic_names(values_, values_.needed(roots), names_);
-    add_composite_names(values_, values_.needed(roots), names_);
-    for (const auto& [travelling, definition] : values_.definitions()) {
-      names_[definition] = values_[travelling].name;
-    }
-    for (const int id : values_.needed(roots)) {
+    int count = 0;
+    for (const int id : needed_) {
       const Value& value = values_[id];
       if (is_symbol(value)) {
-        names_[id] = value.op == Op::kAtLink ? name(value.operands.front()) : symbol(value);
         continue;
       }
-      if (!value.name.empty()) {
-        names_[id] = value.name;
+      while (names_.count(id) == 0) {
+        const std::string next = fmt::format("x{}", ++count);
+        if (taken_.insert(next).second) {
+          names_[id] = next;
+        }
       }
-      const std::string text = expression(value);
-      if (names_.count(id) == 0) {
-        names_[id] = fmt::format("x{}", ++count_);
-      }
-      result.push_back({id, fmt::format("{} = {}", names_[id], text), rules(id)});
+      result.push_back({id, fmt::format("{} = {}", name(id), expression(value)), rules(id)});
     }
     return result;
   }
 
  private:
+  /// Of symbols, and of values that the derivation itself names.
+  void add_own_names() {
+    for (const int id : needed_) {
+      const Value& value = values_[id];
+      if (is_symbol(value)) {
+        names_[id] = value.op == Op::kAtLink ? name(value.operands.front()) : symbol(value);
+      } else if (!value.name.empty()) {
+        names_[id] = value.name;
+      }
+    }
+    for (const auto& [travelling, definition] : values_.definitions()) {
+      names_[definition] = values_[travelling].name;
+    }
+    for (const auto& [id, own] : names_) {
+      taken_.insert(own);
+    }
+  }
+
+  /// A name is one value's: what the field calls alike gets a number, α and α_2.
+  void add_field_names() {
+    Names field = known_names(values_);
+    add_dynamic_names(values_, needed_, field);
+    add_composite_names(values_, needed_, field);
+    for (const int id : needed_) {
+      const auto found = field.find(id);
+      if (found == field.end() || names_.count(id) != 0) {
+        continue;
+      }
+      std::string once = found->second;
+      for (int k = 2; !taken_.insert(once).second; ++k) {
+        once = fmt::format("{}_{}", found->second, k);
+      }
+      names_[id] = once;
+    }
+  }
+
   [[nodiscard]] bool is_symbol(const Value& value) const {
     return value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
            value.op == Op::kUnit || value.op == Op::kIdentity || value.op == Op::kTravelling ||
@@ -138,6 +173,10 @@ class Printer {
     }
   }
 
+  static const char* item(Set set) {
+    return set == Set::kPoints ? "point" : set == Set::kRows ? "row" : "link";
+  }
+
   [[nodiscard]] const std::string& name(int id) const { return names_.at(id); }
 
   [[nodiscard]] std::string sum(const Value& value) const {
@@ -168,7 +207,7 @@ class Printer {
       case Op::kPath:
         return value.operands.size() == 1
                    ? fmt::format("D {}", first(value))
-                   : fmt::format("{} everywhere + D {}", last(value), first(value));
+                   : fmt::format("{} at every link + D {}", last(value), first(value));
       case Op::kPathStrict:
         return fmt::format("N {}", first(value));
       case Op::kSubtree:
@@ -188,9 +227,10 @@ class Printer {
       case Op::kPick:
         return fmt::format("W^T {}", first(value));
       case Op::kSpread:
-        return fmt::format("{} everywhere", first(value));
+        return fmt::format("{} at every {}", first(value), item(value.set));
       case Op::kCollect:
-        return fmt::format("sum of all {}", first(value));
+        return fmt::format("sum of {} over every {}", first(value),
+                           item(values_[value.operands.front()].set));
       case Op::kFold:
         return fmt::format("{} + sum of {} of the sons", first(value), last(value));
       case Op::kDiagonal:
@@ -270,14 +310,15 @@ class Printer {
   }
 
   const Values& values_;
+  std::vector<int> needed_;
   Names names_;
-  int count_ = 0;
+  std::set<std::string> taken_;
 };
 
 }  // namespace
 
 std::vector<Line> lines(const Derivation& derivation) {
-  return Printer(derivation.values).run(derivation.roots);
+  return Printer(derivation.values, derivation.roots).run();
 }
 
 }  // namespace treedyn::derive

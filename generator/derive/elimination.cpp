@@ -42,7 +42,7 @@ class Eliminator {
   /// As it stands, without R3: the order of the sums is that of the elimination.
   int sum(const Terms& terms);
   int travelling(const char* name, Type type) { return made(Op::kTravelling, type, {}, 0, name); }
-  int fold(int travelling, int own, int handed);
+  int fold(int travelling, int own, int handed, int sum);
   int yields(int x) { return values_.note(Rule::kYields, x); }
   void eliminate(int r, Elimination& result);
   int onward(Elimination& result);
@@ -229,8 +229,10 @@ int Eliminator::sum(const Terms& terms) {
                                                                  : values_.intern(value);
 }
 
-int Eliminator::fold(int travelling, int own, int handed) {
+/// \param sum  what travelled before
+int Eliminator::fold(int travelling, int own, int handed, int sum) {
   const int result = made(Op::kFold, values_[travelling].type, {own, handed});
+  values_.note(values_.made_by(sum), result);
   values_.define(travelling, result);
   return result;
 }
@@ -279,14 +281,14 @@ void Eliminator::eliminate(int r, Elimination& result) {
            {kPlus, sum({{kPlus, times(H1, zeta_[0], true)}, {kPlus, times(M1, zeta_[1])}})}})};
   const int H2 = sum({{kPlus, made(Op::kLever, Type::kTensor, {s_, M1})}, {kPlus, H1}});
   const int I2 = sum({{kPlus, made(Op::kLever, Type::kTensor, {s_, H1, H2})}, {kPlus, I1}});
-  result.inertia = {fold(I, tensor(z_[0].own, {y_[0].sum, false}), I2),
-                    fold(H, tensor(z_[0].own, {y_[1].sum, false}), H2),
-                    fold(M, tensor(z_[1].own, {y_[1].sum, false}), M1)};
+  result.inertia = {fold(I, tensor(z_[0].own, {y_[0].sum, false}), I2, z_[0].sum),
+                    fold(H, tensor(z_[0].own, {y_[1].sum, false}), H2, z_[0].sum),
+                    fold(M, tensor(z_[1].own, {y_[1].sum, false}), M1, z_[1].sum)};
   const int moment = algebra_.step(s_, p1[1]);
   const std::array<int, 2> own = {opening_.rest(z_[0].own, Type::kVector),
                                   opening_.rest(z_[1].own, Type::kVector)};
-  result.bias = {fold(p[0], own[0], sum({{kPlus, p1[0]}, {kPlus, moment}})),
-                 fold(p[1], own[1], p1[1])};
+  result.bias = {fold(p[0], own[0], sum({{kPlus, p1[0]}, {kPlus, moment}}), z_[0].sum),
+                 fold(p[1], own[1], p1[1], z_[1].sum)};
 }
 
 /// From the root: y without the joint's own part, x, y.
@@ -297,6 +299,7 @@ int Eliminator::onward(Elimination& result) {
     std::vector<int> operands = values_[y_[k].sum].operands;
     operands[0] = y[k];
     father[k] = made(Op::kFather, Type::kVector, operands);
+    values_.note(values_.made_by(y_[k].sum), father[k]);
   }
   const std::array<int, 2> before = {
       made(Op::kAtLink, Type::kVector, {sum({{kPlus, father[0]}, {kPlus, zeta_[0]}})}),

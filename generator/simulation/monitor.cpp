@@ -26,6 +26,9 @@ constexpr double kRoundings = 1e3;
 /// step, and steps of the beginning that are not judged.
 constexpr double kPowerSteps = 100;
 constexpr int kFirstSteps = 10;
+/// Steps in a row with too much energy that end a motion beside any power: where a motion explodes
+/// its power grows as fast.
+constexpr int kEndingSteps = 10;
 /// The part of the speeds that a row adds up that counts as a speed of its own.
 constexpr double kOwnSpeed = 1e-3;
 /// The part of them that a projection may take at the end of a step.
@@ -268,17 +271,21 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
                      const Work& work) {
   const double before = energy_;
   energy_ = simulation::energy(system, pose_, q, qd);
+  if (!std::isfinite(energy_)) {
+    throw std::runtime_error("the energy is beyond the range of double");
+  }
   unexplained_ += energy_ - before - work.done;
   const double excess = std::max(0.0, unexplained_);
   worked_ += std::fabs(work.done);
   exchanged_ = std::max({exchanged_, worked_, pose_.kinetic_energy() - excess,
                          std::fabs(pose_.potential_energy() - potential_) - excess});
   using Scale = std::pair<double, const char*>;
-  const auto [scale, name] =
-      std::max({Scale{exchanged_, "that the motion has exchanged"},
-                Scale{weight_, "of a fall by the robot's size"},
-                Scale{kPowerSteps * h * work.power, "of its forces' power in a hundred steps"}},
-               [](const Scale& a, const Scale& b) { return a.first < b.first; });
+  const Scale had = exchanged_ < weight_ ? Scale{weight_, "of a fall by the robot's size"}
+                                         : Scale{exchanged_, "that the motion has exchanged"};
+  const Scale power{kPowerSteps * h * work.power, "of its forces' power in a hundred steps"};
+  excessive_steps_ = unexplained_ > bounds_.energy_end * had.first ? excessive_steps_ + 1 : 0;
+  const bool explodes = excessive_steps_ >= kEndingSteps;
+  const auto [scale, name] = power.first > had.first && !explodes ? power : had;
   const double part = unexplained_ / scale;
   most_unexplained_ = std::max(most_unexplained_, std::fabs(unexplained_));
   if (!scene_.velocity_products || ++energy_steps_ <= kFirstSteps ||

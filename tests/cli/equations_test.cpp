@@ -356,10 +356,19 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(solved.out, HasSubstr("I^A = I^d + sum of "));
   EXPECT_THAT(solved.out, HasSubstr("q̈ = w - L' q̈, from the root"));
   EXPECT_THAT(solved.out, testing::Not(HasSubstr("R13")));
+  EXPECT_THAT(solved.out, HasSubstr("two ways: by articulated bodies, by the factor of A; "));
+  const auto by = [](const char* way) {
+    return treedyn({"info", kModel, "--derivation", "forward_dynamics", "--forward-dynamics", way})
+        .out;
+  };
+  EXPECT_THAT(by("factor"), testing::Not(testing::AnyOf(HasSubstr("two ways"), HasSubstr("I^A"))));
+  EXPECT_THAT(by("articulated"), HasSubstr("I^A = I^d + sum of "));
+  EXPECT_THAT(by("articulated"),
+              testing::Not(testing::AnyOf(HasSubstr("two ways"), HasSubstr("L' q̈"))));
   const Outcome seen = treedyn({"info", TREEDYN_SOURCE_DIR "/models/biped.yaml", "--base", "axes",
                                 "--derivation", "forward_dynamics"});
   EXPECT_THAT(seen.out, HasSubstr("\n  R13  joints at the root that move a link in every way"));
-  EXPECT_THAT(seen.out, HasSubstr("f = B^-T τ"));
+  EXPECT_THAT(seen.out, HasSubstr("f = B^-T τ, force and moment on it  <- R13\n"));
   const Outcome factored = treedyn({"info", kModel, "--derivation", "mass_matrix_factor"});
   EXPECT_THAT(factored.out, HasSubstr("equation 7.4 for L, zero there"));
   EXPECT_THAT(factored.out, HasSubstr("\n  R12  A = A^T"));

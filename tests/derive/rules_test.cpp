@@ -697,6 +697,28 @@ TEST(Lines, NameEveryRuleThatActed) {
   }
 }
 
+/// Those of the elimination have the rules of what it takes apart; R0 and R5 act on sums.
+TEST(Lines, NameTheRulesOfWhatIsEliminated) {
+  const Derivation derivation = solved(derive(forward_dynamics(), false, false), "q̈").value();
+  std::set<Rule> named = {Rule::kPlaces};
+  for (const Line& line : lines(derivation)) {
+    named.insert(line.rules.begin(), line.rules.end());
+  }
+  EXPECT_EQ(derivation.values.acted(), named);
+}
+
+/// α of the velocities and of all, M of a column and its rate: a reader sees which is which.
+TEST(Lines, NameValuesApart) {
+  for (const Expression& e :
+       {dot(bias_force()), dot(mass_matrix()), inverse_dynamics(), coriolis_matrix()}) {
+    std::set<std::string> names;
+    for (const Line& line : lines(derive(e, false, false))) {
+      const std::string name = line.text.substr(0, line.text.find(" = "));
+      EXPECT_TRUE(names.insert(name).second) << block::print(e) << ": " << line.text;
+    }
+  }
+}
+
 TEST(R9, SolvesSymmetricMatricesAlone) {
   EXPECT_FALSE(of_solved(forward_dynamics() + (E - sigma) * mass_matrix() * qdd).has_value());
   EXPECT_FALSE(of_solved(sigma * mass_matrix() * qdd - tau).has_value());
