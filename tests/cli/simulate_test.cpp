@@ -97,6 +97,32 @@ TEST_F(Simulate, WarnsWhenItMovesTheInitialState) {
   EXPECT_THAT(outcome.err, HasSubstr("warning: the initial state was moved by"));
 }
 
+/// A damped spring by steps beyond what rk4 stands: its power grows as fast as its energy, and the
+/// motion ends nevertheless; at rest it would be 900 J.
+TEST_F(Simulate, EndsAMotionThatExplodes) {
+  write_file(scratch("m.yaml"),
+             "name: block\nlinks:\n  - {name: block, father: ground, mass: 2, joint: {name: x, "
+             "type: prismatic, axis: [1, 0, 0]}}\n");
+  const auto run = [&](const std::string& speed, const std::vector<std::string>& more) {
+    write_file(scratch("s.yaml"),
+               "scene: s\nmodel: m.yaml\nduration: 5\neffects:\n  joint_spring: [{joint: x, "
+               "stiffness: 20000, damping: 1.5, rest: 0.3}]\ninitial: {q: {x: 1}, qd: {x: " +
+                   speed + "}}\nstepping: {integrator: rk4, step: 0.03}\n");
+    std::vector<std::string> arguments = {scratch("s.yaml").string(), "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return treedyn(arguments);
+  };
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, std::vector<std::string>{"--as-generated"}}) {
+    const Outcome outcome = run("-0.5", more);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(json::parse(outcome.out)["stopped"].get<std::string>(),
+                HasSubstr("J that the motion has exchanged"));
+    EXPECT_LT(json::parse(outcome.out)["rows"].size(), 40U);
+    EXPECT_THAT(run("1e200", more).err, HasSubstr("the energy is beyond the range of double"));
+  }
+}
+
 /// A leg stands in both phases; they change where it turns, when its drift is all the speed there
 /// is.
 TEST_F(Simulate, WarnsOfNoImpactForWhatHasActedBefore) {
