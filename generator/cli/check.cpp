@@ -113,17 +113,33 @@ std::string without_file_names(std::string text) {
   return text;
 }
 
+/// Without what header and source know each other by.
+std::string without_digest(std::string text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  for (const std::string_view before :
+       {"kDigest = 0x", "kDigest == 0x", "DIGEST 0x", "DIGEST != 0x"}) {
+    const std::size_t at = text.find(before);
+    if (at != std::string::npos) {
+      const std::size_t digits = at + before.size();
+      text.erase(digits, text.find_first_not_of(kDigits, digits) - digits);
+    }
+  }
+  return text;
+}
+
 /// What a reader wants to know before the diff.
 std::string verdict(const std::string& old_text, const std::string& new_text,
                     const std::string& path) {
   if (std::ranges::count(old_text, '\r') > 0 && without_returns(old_text) == new_text) {
     return fmt::format("{}: lines end in \\r\\n and are the same else\n", path);
   }
-  const bool constants = without_literals(without_file_names(old_text)) ==
-                         without_literals(without_file_names(new_text));
+  const std::string before = without_file_names(old_text);
+  const std::string after = without_file_names(new_text);
+  const char* const what = without_digest(before) == without_digest(after)       ? "command only"
+                           : without_literals(before) == without_literals(after) ? "constants only"
+                                                                                 : "structure";
   const int lines = changed_lines(old_text, new_text);
-  return fmt::format("{}: {}, {} line{}\n", path, constants ? "constants only" : "structure", lines,
-                     lines == 1 ? "" : "s");
+  return fmt::format("{}: {}, {} line{}\n", path, what, lines, lines == 1 ? "" : "s");
 }
 
 /// Why there is nothing to compare at a path.

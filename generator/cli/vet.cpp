@@ -21,6 +21,19 @@ std::string json_finding(const Finding& finding) {
                             {"message", emit::json_string(finding.message)}});
 }
 
+/// Which points there are is a matter of --points or of a scene where the model has none: all,
+/// where they can have names.
+std::vector<model::Point> points_of(const model::Tree& tree) {
+  if (!tree.points.empty()) {
+    return tree.points;
+  }
+  try {
+    return description::resolve_points(tree, "all");
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> vet(const Request& request) {
@@ -31,11 +44,10 @@ std::vector<Finding> vet(const Request& request) {
     for (const Warning& warning : vetted.findings) {
       findings.push_back({warning.where, warning.message, false});
     }
-    if (vetted.tree.dof() > 0) {
-      // which points there are is a matter of --points or of a scene where the model has none
-      const std::vector<model::Point>& own = vetted.tree.points;
-      read_user_equations(request, request.model, text, vetted.tree,
-                          own.empty() ? description::resolve_points(vetted.tree, "all") : own);
+    if (vetted.error) {
+      findings.push_back({vetted.error->where(), vetted.error->message(), true});
+    } else if (vetted.tree.dof() > 0) {
+      read_user_equations(request, request.model, text, vetted.tree, points_of(vetted.tree));
     }
   } catch (const InputError& error) {
     findings.push_back({error.where(), error.message(), true});

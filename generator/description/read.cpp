@@ -99,11 +99,16 @@ model::Tree parse_model(const std::string& text, const std::string& path,
 }
 
 Vetted vet_model(const std::string& text, const std::string& path, const ReadOptions& options) {
-  Vetted result = resolve(parse_raw(text, path), options);
-  for (const auto& more : {result.tree.warnings, joints_without_inertia(result.tree)}) {
-    result.findings.insert(result.findings.end(), more.begin(), more.end());
+  const RawTree raw = parse_raw(text, path);
+  try {
+    Vetted result = resolve(raw, options);
+    for (const auto& more : {result.tree.warnings, joints_without_inertia(result.tree)}) {
+      result.findings.insert(result.findings.end(), more.begin(), more.end());
+    }
+    return result;
+  } catch (const InputError& error) {
+    return {{}, raw.oddities, error};
   }
-  return result;
 }
 
 }  // namespace treedyn::description

@@ -1,6 +1,7 @@
 // From a file to the checked model: the only entry to this folder for later stages.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,8 +73,9 @@ struct Vetted {
   model::Tree tree;
   std::vector<Warning>
       findings;  ///< near misses of snapping, doubtful inertias and limits, joints without inertia
+  std::optional<InputError> error;  ///< why there is no tree; then findings are those of the format
 };
-/// \param text  of the file `path` \throws InputError as `read_model`.
+/// \param text  of the file `path` \throws InputError where the file cannot be taken apart
 Vetted vet_model(const std::string& text, const std::string& path, const ReadOptions& options);
 
 }  // namespace treedyn::description

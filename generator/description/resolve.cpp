@@ -69,6 +69,20 @@ std::vector<Record> in_file_order(std::vector<Record> records) {
   return records;
 }
 
+/// Beyond these a model has its lengths or masses in other units: how far a center of mass lies
+/// beside the radius of gyration, that radius beside the robot's longest distance, and the other
+/// way round.
+constexpr int kFarthest = 1000;
+constexpr int kLargest = 10;
+constexpr int kSmallest = 10000;
+
+/// m; 0 without a mass.
+Real radius_of_gyration(const model::Inertia& inertia) {
+  const Matrix3& I = inertia.about_com;
+  const Real trace = I[0] + I[4] + I[8];
+  return inertia.mass > 0 && trace > 0 ? Real(sqrt(trace / (2 * inertia.mass))) : Real(0);
+}
+
 /// One model in the making.
 class Resolver {
  public:
@@ -94,7 +108,7 @@ class Resolver {
     tree_.snaps = in_file_order(snapper_.log().snaps);
     tree_.warnings.insert(tree_.warnings.begin(), raw_.oddities.begin(), raw_.oddities.end());
     findings_.insert(findings_.begin(), snapper_.log().misses.begin(), snapper_.log().misses.end());
-    return {std::move(tree_), in_file_order(std::move(findings_))};
+    return {std::move(tree_), in_file_order(std::move(findings_)), std::nullopt};
   }
 
  private:
@@ -258,18 +272,49 @@ class Resolver {
                          limit(raw.limits.upper, name + ": upper limit"),
                          limit(raw.limits.velocity, name + ": velocity limit"),
                          limit(raw.limits.effort, name + ": effort limit")};
+    vet_limits(raw, name, result);
+    const bool turns_on = raw.type.text == "continuous";  // its positions have no limits
+    if (turns_on) {
+      return result;
+    }
     if (result.lower && result.upper && *result.lower > *result.upper) {
       tree_.warnings.push_back(
           {location(raw_, raw.limits.lower->where),
            fmt::format("{}: lower limit {} is above the upper limit {}", name,
                        shown(raw.limits.lower->text), shown(raw.limits.upper->text))});
-    } else if (result.lower && result.lower == result.upper && raw.type.text != "continuous") {
+    } else if (result.lower && result.lower == result.upper) {
       findings_.push_back(
           {location(raw_, raw.limits.lower->where),
            fmt::format("{}: lower and upper limit are both {}, which leaves it one position", name,
                        shown(raw.limits.lower->text))});
     }
     return result;
+  }
+
+  /// Degrees where radians belong, sizes below zero.
+  void vet_limits(const RawJoint& raw, const std::string& name, const model::Limits& limits) {
+    const auto find = [&](const Text& text, const char* which, const char* fault) {
+      findings_.push_back(
+          {location(raw_, text.where),
+           fmt::format("{}: {} limit {} {}", name, which, shown(text.text), fault)});
+    };
+    if (limits.velocity && *limits.velocity < 0) {
+      find(*raw.limits.velocity, "velocity", "is negative; it bounds a size");
+    }
+    if (limits.effort && *limits.effort < 0) {
+      find(*raw.limits.effort, "effort", "is negative; it bounds a size");
+    }
+    if (raw.type.text != "revolute") {
+      return;
+    }
+    const auto vet_angle = [&](const std::optional<Real>& angle, const std::optional<Text>& text,
+                               const char* which) {
+      if (angle && abs(*angle) > 4 * pi() * Real("1.001") && abs(*angle) <= 720) {
+        find(*text, which, "is beyond two turns; angles are in radians");
+      }
+    };
+    vet_angle(limits.lower, raw.limits.lower, "lower");
+    vet_angle(limits.upper, raw.limits.upper, "upper");
   }
 
   /// The model's index of a carrier.
@@ -280,12 +325,18 @@ class Resolver {
 
   void add_inertias() {
     std::vector<std::vector<model::Inertia>> bodies(tree_.links.size());
+    std::vector<model::Inertia> inertias;
+    for (std::size_t k = 0; k < raw_.links.size(); ++k) {
+      const bool moves = carrier_index(placements_[k]) != model::kGround;
+      inertias.push_back(
+          resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings));
+    }
+    const Real longest = longest_distance(inertias);
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const int carrier = carrier_index(placements_[k]);
       const bool moves = carrier != model::kGround;
-      const model::Inertia inertia =
-          resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings);
-      vet_inertia(raw_.links[k], inertia);
+      const model::Inertia& inertia = inertias[k];
+      vet_inertia(raw_.links[k], inertia, longest);
       if (raw_.links[k].inertia && raw_.links[k].inertia->pose.rpy) {
         const Numbers& rpy = *raw_.links[k].inertia->pose.rpy;
         const std::string what = fmt::format("link '{}': rpy", shown(raw_.links[k].name.text));
@@ -301,15 +352,35 @@ class Resolver {
     }
   }
 
-  /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass.
-  void vet_inertia(const RawLink& link, const model::Inertia& inertia) {
-    const char* fault = nullptr;
+  /// The longest distance between the frames of two joints, or from one to a center of mass.
+  [[nodiscard]] Real longest_distance(const std::vector<model::Inertia>& inertias) const {
+    Real result = 0;
+    for (const Placement& frame : joint_frames_) {
+      result = std::max(result, norm(frame.origin));
+    }
+    for (const model::Inertia& inertia : inertias) {
+      result = std::max(result, norm(inertia.com));
+    }
+    return result;
+  }
+
+  /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass, other units.
+  void vet_inertia(const RawLink& link, const model::Inertia& inertia, const Real& longest) {
+    std::string fault;
+    const Real radius = radius_of_gyration(inertia);
     if (inertia.mass != 0 && link.inertia->tensor && inertia.about_com == Matrix3{}) {
       fault = "has a mass, and zeros for its inertia";
     } else if (inertia.mass == 0 && inertia.about_com != Matrix3{}) {
       fault = "has an inertia, but no mass";
+    } else if (radius > 0 && longest > 0 &&
+               (norm(inertia.com) > kFarthest * radius || radius > kLargest * longest ||
+                radius * kSmallest < longest)) {
+      fault = fmt::format(
+          "has a radius of gyration of {} m, its center of mass at {} m, beside distances of up to "
+          "{} m; lengths are in m, masses in kg",
+          radius.str(3), norm(inertia.com).str(3), longest.str(3));
     }
-    if (fault != nullptr) {
+    if (!fault.empty()) {
       findings_.push_back(
           {location(raw_, link.where), fmt::format("link '{}' {}", shown(link.name.text), fault)});
     }

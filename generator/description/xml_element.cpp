@@ -55,9 +55,11 @@ class ElementBuilder {
     }
     if (status != XML_STATUS_OK) {
       const Place where = here();
-      throw InputError(
-          where.in(file_),
-          fmt::format("{}; expected XML", XML_ErrorString(XML_GetErrorCode(parser_.get()))));
+      const XML_Error error = XML_GetErrorCode(parser_.get());
+      throw InputError(where.in(file_), fmt::format("{}; expected {}", XML_ErrorString(error),
+                                                    error == XML_ERROR_UNKNOWN_ENCODING
+                                                        ? "UTF-8, UTF-16, ISO-8859-1 or US-ASCII"
+                                                        : "XML"));
     }
     return std::move(root_);
   }

@@ -138,7 +138,7 @@ class Monitor {
   double exchanged_ = 0;  ///< J
   double worked_ = 0;     ///< J, by all forces, either way
   int energy_steps_ = 0;
-  int excessive_steps_ = 0;  ///< in a row, beyond the end's part of what has been exchanged
+  int excessive_steps_ = 0;      ///< in a row, beyond the end's part of what has been exchanged
   double unexplained_ = 0;       ///< J
   double most_unexplained_ = 0;  ///< J
   double largest_residual_ = 0;

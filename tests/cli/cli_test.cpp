@@ -189,6 +189,23 @@ TEST_F(Cli, ReadsStandardInputOnce) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
+/// The digest follows the command; no number and no statement is another.
+TEST_F(Cli, SaysWhereTheCommandAloneIsAnother) {
+  for (const std::string language : {"c++", "c99"}) {
+    const std::string ending = language == "c99" ? "h" : "hpp";
+    const auto run = [&](const std::string& command, const std::string& functions) {
+      return treedyn({command, kModel, "-o", out(), "--effort", "0", "--language", language,
+                      "--functions", functions});
+    };
+    EXPECT_EQ(run("generate", "mass_matrix,bias_force").status, 0);
+    const Outcome outcome = run("check", "bias_force,mass_matrix");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.out,
+                HasSubstr(file("two_link." + ending).string() + ": command only, 2 lines\n"));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("constants only")));
+  }
+}
+
 TEST_F(Cli, SaysHowToUpdateInWordsOfAnyShell) {
   const std::string folder = scratch("it's $HOME M\xc3\xbcller");
   fs::create_directories(folder);
@@ -519,6 +536,22 @@ TEST_F(Cli, VetsEquationsOfTheModel) {
              "axis: [0, 0, 1]}, mass: 1, com: [1, 0, 0]}]\n"
              "equations: [{name: own, value: T(C) * qd}]\n");
   EXPECT_EQ(treedyn({"vet", bare}).out, "");
+}
+
+/// Points of links have their names; which there are is nothing that vet was asked.
+TEST_F(Cli, VetsModelsWhoseLinksHaveOneIdentifier) {
+  const std::string body =
+      "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" "
+      "iyz=\"0\" izz=\"1\"/></inertial></link>";
+  write_file(scratch("m.urdf"),
+             "<robot name=\"m\"><link name=\"b\"/><link name=\"x.1\">" + body +
+                 "<link name=\"x_1\">" + body +
+                 "<joint name=\"j\" type=\"continuous\"><parent link=\"b\"/><child "
+                 "link=\"x.1\"/></joint><joint name=\"k\" type=\"continuous\"><origin xyz=\"1 0 "
+                 "0\"/><parent link=\"x.1\"/><child link=\"x_1\"/></joint></robot>");
+  const Outcome outcome = treedyn({"vet", scratch("m.urdf")});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "");
 }
 
 TEST_F(Cli, VetsInThreeFormats) {

@@ -272,6 +272,63 @@ TEST(Vet, FindsLimitsThatLeaveAJointOnePosition) {
   EXPECT_THAT(findings("still.urdf", with_tip), ElementsAre());
 }
 
+std::string inertial(const char* mass, const char* moment, const char* com = "0 0 0") {
+  return fmt::format(
+      "<inertial><origin xyz=\"{2}\"/><mass value=\"{0}\"/><inertia ixx=\"{1}\" ixy=\"0\" "
+      "ixz=\"0\" iyy=\"{1}\" iyz=\"0\" izz=\"{1}\"/></inertial>",
+      mass, moment, com);
+}
+
+TEST(Vet, FindsLimitsInDegreesAndBelowZero) {
+  using testing::ElementsAre;
+  const auto joint = [&](const char* type, const char* limits) {
+    return findings("limits.urdf",
+                    one_joint(fmt::format("<axis xyz=\"0 0 1\"/><limit {}/>", limits),
+                              inertial("1", "1"), type));
+  };
+  EXPECT_THAT(
+      joint("revolute", "lower=\"-90\" upper=\"90\" effort=\"1\" velocity=\"1\""),
+      ElementsAre("4: joint 'j': lower limit -90 is beyond two turns; angles are in radians",
+                  "4: joint 'j': upper limit 90 is beyond two turns; angles are in radians"));
+  EXPECT_THAT(joint("revolute", "lower=\"-12.57\" upper=\"1e4\""), ElementsAre());
+  EXPECT_THAT(joint("prismatic", "lower=\"-90\" upper=\"90\""), ElementsAre());
+  EXPECT_THAT(joint("continuous", "lower=\"90\" upper=\"-90\""), ElementsAre());
+  EXPECT_THAT(joint("revolute", "lower=\"0\" upper=\"1\" effort=\"-3\" velocity=\"-2\""),
+              ElementsAre("4: joint 'j': velocity limit -2 is negative; it bounds a size",
+                          "4: joint 'j': effort limit -3 is negative; it bounds a size"));
+}
+
+TEST(Vet, FindsInertiasInOtherUnits) {
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  const auto body = [&](const std::string& inertia) {
+    return findings("units.urdf",
+                    one_joint("<origin xyz=\"0.3 0 0.4\"/><axis xyz=\"0 0 1\"/>", inertia));
+  };
+  EXPECT_THAT(body(inertial("2", "0.01", "0.1 0 0")), ElementsAre());
+  EXPECT_THAT(body(inertial("2", "0.01", "100 0 0")),
+              ElementsAre(HasSubstr("link 'a' has a radius of gyration of 0.0866 m, its center of "
+                                    "mass at 100 m, beside distances of up to 100 m; ")));
+  EXPECT_THAT(body(inertial("2", "1e4")), ElementsAre(HasSubstr("86.6 m")));
+  EXPECT_THAT(body(inertial("2", "1e-10")), ElementsAre(HasSubstr("8.66e-06 m")));
+  EXPECT_THAT(findings("units.urdf", one_joint("<axis xyz=\"0 0 1\"/>", inertial("2", "1e4"))),
+              ElementsAre())
+      << "nothing to compare with";
+}
+
+/// A joint within a link is what the two roots come from.
+TEST(Vet, FindsSlipsOfModelsThatCannotBeRead) {
+  const std::string path = testing::TempDir() + "slip.urdf";
+  std::ofstream(path) << "<robot name=\"r\"><link name=\"b\"/>\n<link name=\"x\"><joint "
+                         "name=\"j\" type=\"revolute\"/></link></robot>\n";
+  const Vetted vetted = vet_model(read_model_text(path), path, {});
+  ASSERT_EQ(vetted.findings.size(), 1U);
+  EXPECT_EQ(vetted.findings[0].message,
+            "link 'x': <joint> is not read here; its place is in <robot>");
+  ASSERT_TRUE(vetted.error.has_value());
+  EXPECT_THAT(vetted.error->message(), testing::HasSubstr("both no child of a joint"));
+}
+
 TEST(Vet, FindsWhatIsNotReadAndLooksLikeASlip) {
   const std::string robot =
       "<robot name=\"r\" xmlns:x=\"u\"><link name=\"b\"/>\n<link name=\"a\"><inertial><mass "
