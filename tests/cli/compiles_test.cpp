@@ -217,6 +217,28 @@ TEST_F(Compiles, LimbLanesThatTakeOneOfSineAndCosine) {
   }
 }
 
+/// -O3 takes loops apart, and g++ then takes arrays that loops fill for arrays that nobody filled.
+TEST_F(Compiles, DependentRowsWithAllOptimisation) {
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+             "/models/two_link.yaml\nduration: 1\neffects:\n"
+             "  point_constraint: [{name: a, point: tip, along: [x, z]}, {name: b, point: tip, "
+             "along: [x]}]\ninitial: {q: {shoulder: 0.3, elbow: 1}}\n");
+  for (const char* const scalar : {"double", "float"}) {
+    EXPECT_EQ(treedyn({"generate", "--scene", scratch("s.yaml"), "--scalar", scalar, "-q",
+                       "--effort", "0", "-o", out()})
+                  .status,
+              0);
+    EXPECT_THAT(read_file(file("s.cpp")), testing::HasSubstr("solve_deficient_"));
+    for (const char* const compiler : {TREEDYN_CXX, "clang++"}) {
+      const Outcome compiled =
+          support::run({compiler, "-std=c++11", "-O3", "-Wall", "-Wextra", "-Werror", "-c",
+                        file("s.cpp").string(), "-o", scratch("s.o")});
+      EXPECT_EQ(compiled.status, 0) << compiled.err;
+    }
+  }
+}
+
 // Angles of 15 digits leave tilts of 1e-16 and cosines that differ from 1 by 1e-32: to the proof
 // they are no zeros, so code that limbs share may not take them for such.
 TEST_F(Compiles, LimbsBehindTiltsOfRounding) {

@@ -13,7 +13,7 @@ file(WRITE ${scratch}/project/CMakeLists.txt [[
 cmake_minimum_required(VERSION 3.16)  # with policies that the package does not share
 project(consumer C CXX)
 set(CMAKE_CXX_STANDARD 11)  # generated code asks for no more
-find_package(treedyn 0.1 REQUIRED)
+add_subdirectory(package)  # which finds treedyn for all folders
 treedyn_generate(arm MODEL arm.yaml OPTIONS --scalar float --functions gravity_force)
 add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE arm)
@@ -34,6 +34,7 @@ treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
               OPTIONS --scalar float --functions gravity_force)
 ]])
+file(WRITE ${scratch}/project/package/CMakeLists.txt "find_package(treedyn 0.1 REQUIRED)\n")
 file(WRITE ${scratch}/project/own.yaml "equations: [{name: own, value: T(ones) * m_d * ones}]\n")
 set(settings "effort = 0\nequations = own.yaml\n")  # a file beside the settings
 file(WRITE ${scratch}/project/own.txt "${settings}language = c99\n")
@@ -171,7 +172,7 @@ file(RENAME ${scratch}/third ${scratch}/second)
 
 # Calls that are wrong say what is wrong with them.
 file(READ ${scratch}/project/CMakeLists.txt project)
-file(COPY ${scratch}/project/ DESTINATION ${scratch}/wrong PATTERN CMakeLists.txt EXCLUDE)
+file(COPY ${scratch}/project/ DESTINATION ${scratch}/wrong REGEX "project/CMakeLists.txt$" EXCLUDE)
 function(expect_refusal from to message)  # more arguments are those of cmake
   string(REPLACE "${from}" "${to}" wrong "${project}")
   file(WRITE ${scratch}/wrong/CMakeLists.txt "${wrong}")
