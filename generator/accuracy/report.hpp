@@ -12,7 +12,7 @@ namespace treedyn::accuracy {
 /// decade costs.
 std::string report_text(const Study& study, const std::vector<const Core*>& on);
 
-/// One row a setting: errors, operations, cycles on every core. RFC 4180.
+/// One row a setting: errors, operations, cycles on every core. Quoted as in RFC 4180.
 std::string report_csv(const Study& study);
 
 /// All of it, errors of every initial state included.

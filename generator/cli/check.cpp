@@ -135,7 +135,8 @@ std::string verdict(const std::string& old_text, const std::string& new_text,
   }
   const std::string before = without_file_names(old_text);
   const std::string after = without_file_names(new_text);
-  const char* const what = without_digest(before) == without_digest(after)       ? "command only"
+  const char* const what = without_digest(old_text) == without_digest(new_text)  ? "digest only"
+                           : without_digest(before) == without_digest(after)     ? "command only"
                            : without_literals(before) == without_literals(after) ? "constants only"
                                                                                  : "structure";
   const int lines = changed_lines(old_text, new_text);

@@ -191,20 +191,22 @@ std::string trunk_text(const Model& model, const Request& request) {
 struct Ways {
   bool articulated = false;
   bool factor = false;
+  bool by_trunk = false;  ///< R13 before either
 };
 
 Ways ways_of(const model::Tree& tree, const Request& request, const std::string& name) {
   const bool two = formulate::recipe_of(name).freedom.articulated && tree.dof() == tree.size();
   const formulate::ForwardDynamics asked = request.forward_dynamics;
   return {two && asked != formulate::ForwardDynamics::kFactor,
-          !two || asked != formulate::ForwardDynamics::kArticulated};
+          !two || asked != formulate::ForwardDynamics::kArticulated,
+          two && formulate::has_trunk(tree)};
 }
 
 std::string solved_text(const Model& model, const Request& request, const std::string& name) {
   const Ways ways = ways_of(model.tree, request, name);
   const formulate::Options options = formulate_options(model, request);
   std::string result;
-  if (formulate::recipe_of(name).freedom.articulated && formulate::has_trunk(model.tree)) {
+  if (ways.by_trunk && options.has(formulate::Pass::kTrunk)) {
     result += trunk_text(model, request);
   }
   if (ways.articulated && ways.factor) {

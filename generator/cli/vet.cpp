@@ -1,5 +1,7 @@
 #include "cli/vet.hpp"
 
+#include <set>
+
 #include <fmt/format.h>
 
 #include "common/transformed.hpp"
@@ -21,17 +23,17 @@ std::string json_finding(const Finding& finding) {
                             {"message", emit::json_string(finding.message)}});
 }
 
-/// Which points there are is a matter of --points or of a scene where the model has none: all,
-/// where they can have names.
+/// Which points there are is a matter of --points or of a scene where the model has none: of all,
+/// the first of every identifier.
 std::vector<model::Point> points_of(const model::Tree& tree) {
   if (!tree.points.empty()) {
     return tree.points;
   }
-  try {
-    return description::resolve_points(tree, "all");
-  } catch (const InputError&) {
-    return {};
-  }
+  std::vector<model::Point> points = description::points_of_links(tree);
+  std::set<std::string> taken;
+  std::erase_if(points,
+                [&](const model::Point& point) { return !taken.insert(point.identifier).second; });
+  return points;
 }
 
 }  // namespace

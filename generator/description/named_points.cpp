@@ -114,10 +114,8 @@ class PointList {
     if (point != tree_.points.end()) {
       result.push_back(*point);
     } else if (name == "all" && find_frame(tree_, name) == nullptr) {
-      for (int i = 0; i < tree_.size(); ++i) {
-        const std::string& link = tree_.links[static_cast<std::size_t>(i)].name;
-        result.push_back({link, to_identifier(link), link, i, {}});
-      }
+      const std::vector<model::Point> origins = points_of_links(tree_);
+      result.insert(result.end(), origins.begin(), origins.end());
     } else if (const model::Frame* const frame = find_frame(tree_, name)) {
       result.push_back(on_frame(std::string(name), *frame, {}));
     } else {
@@ -170,6 +168,15 @@ const model::Frame* find_frame(const model::Tree& tree, std::string_view name) {
 
 std::vector<model::Point> resolve_points(const model::Tree& tree, const std::string& list) {
   return PointList(tree, list).all();
+}
+
+std::vector<model::Point> points_of_links(const model::Tree& tree) {
+  std::vector<model::Point> result;
+  for (int i = 0; i < tree.size(); ++i) {
+    const std::string& link = tree.links[static_cast<std::size_t>(i)].name;
+    result.push_back({link, to_identifier(link), link, i, {}});
+  }
+  return result;
 }
 
 void resolve_named_points(const RawTree& raw, const NumberReader& numbers, model::Tree& tree) {

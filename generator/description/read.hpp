@@ -59,6 +59,9 @@ model::Tree parse_model(const std::string& text, const std::string& path,
 /// `name=link:x,y,z`, or `all`. \throws InputError for an unknown link, a malformed number or a
 /// name used twice.
 std::vector<model::Point> resolve_points(const model::Tree& tree, const std::string& list);
+/// The origin of every moving link, under its name: "all" of such a list. Their identifiers may be
+/// the same.
+std::vector<model::Point> points_of_links(const model::Tree& tree);
 
 /// Joints that can move, alone or together, without moving any inertia: A(q) is singular in every
 /// position and forward dynamics has no solution. One warning for every such movement (the joints

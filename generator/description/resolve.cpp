@@ -69,12 +69,12 @@ std::vector<Record> in_file_order(std::vector<Record> records) {
   return records;
 }
 
-/// Beyond these a model has its lengths or masses in other units: how far a center of mass lies
-/// beside the radius of gyration, that radius beside the robot's longest distance, and the other
-/// way round.
-constexpr int kFarthest = 1000;
-constexpr int kLargest = 10;
-constexpr int kSmallest = 10000;
+/// Lengths in mm are a thousandfold, tensors in kg mm^2 a millionfold, radii of gyration then a
+/// thousandfold; bodies are, and their centers of mass lie, within a hundredfold of other lengths.
+constexpr int kOtherUnits = 100;
+/// Of the position of a center of mass beside its radius of gyration: a ball of 5 cm hangs 10 m
+/// below.
+constexpr int kFarOut = 300;
 
 /// m; 0 without a mass.
 Real radius_of_gyration(const model::Inertia& inertia) {
@@ -309,8 +309,9 @@ class Resolver {
     }
     const auto vet_angle = [&](const std::optional<Real>& angle, const std::optional<Text>& text,
                                const char* which) {
-      if (angle && abs(*angle) > 4 * pi() * Real("1.001") && abs(*angle) <= 720) {
-        find(*text, which, "is beyond two turns; angles are in radians");
+      if (angle && abs(*angle) > 4 * pi() && abs(*angle) <= 360 &&
+          *angle / 15 == floor(*angle / 15)) {
+        find(*text, which, "looks like degrees; angles are in radians");
       }
     };
     vet_angle(limits.lower, raw.limits.lower, "lower");
@@ -331,12 +332,12 @@ class Resolver {
       inertias.push_back(
           resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings));
     }
-    const Real longest = longest_distance(inertias);
+    const Real offset = longest_offset();
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const int carrier = carrier_index(placements_[k]);
       const bool moves = carrier != model::kGround;
       const model::Inertia& inertia = inertias[k];
-      vet_inertia(raw_.links[k], inertia, longest);
+      vet_inertia(raw_.links[k], inertia, offset);
       if (raw_.links[k].inertia && raw_.links[k].inertia->pose.rpy) {
         const Numbers& rpy = *raw_.links[k].inertia->pose.rpy;
         const std::string what = fmt::format("link '{}': rpy", shown(raw_.links[k].name.text));
@@ -352,33 +353,31 @@ class Resolver {
     }
   }
 
-  /// The longest distance between the frames of two joints, or from one to a center of mass.
-  [[nodiscard]] Real longest_distance(const std::vector<model::Inertia>& inertias) const {
+  /// From the frame of a moving link to that of a joint on it.
+  [[nodiscard]] Real longest_offset() const {
     Real result = 0;
     for (const Placement& frame : joint_frames_) {
       result = std::max(result, norm(frame.origin));
-    }
-    for (const model::Inertia& inertia : inertias) {
-      result = std::max(result, norm(inertia.com));
     }
     return result;
   }
 
   /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass, other units.
-  void vet_inertia(const RawLink& link, const model::Inertia& inertia, const Real& longest) {
+  void vet_inertia(const RawLink& link, const model::Inertia& inertia, const Real& offset) {
     std::string fault;
     const Real radius = radius_of_gyration(inertia);
+    const Real com = norm(inertia.com);
     if (inertia.mass != 0 && link.inertia->tensor && inertia.about_com == Matrix3{}) {
       fault = "has a mass, and zeros for its inertia";
     } else if (inertia.mass == 0 && inertia.about_com != Matrix3{}) {
       fault = "has an inertia, but no mass";
-    } else if (radius > 0 && longest > 0 &&
-               (norm(inertia.com) > kFarthest * radius || radius > kLargest * longest ||
-                radius * kSmallest < longest)) {
+    } else if (offset > 0 &&
+               (radius > kOtherUnits * std::max(offset, com) ||
+                (radius > 0 && com > kOtherUnits * offset && com > kFarOut * radius))) {
       fault = fmt::format(
-          "has a radius of gyration of {} m, its center of mass at {} m, beside distances of up to "
-          "{} m; lengths are in m, masses in kg",
-          radius.str(3), norm(inertia.com).str(3), longest.str(3));
+          "has a radius of gyration of {} m and its center of mass at {} m, beside offsets of "
+          "joints of up to {} m; lengths are in m, masses in kg",
+          radius.str(3), com.str(3), offset.str(3));
     }
     if (!fault.empty()) {
       findings_.push_back(

@@ -8,7 +8,8 @@ namespace treedyn::program {
 Function rewritten(const Function& function, const std::vector<Ref>& outputs,
                    const std::function<std::optional<Ref>(Ref, Graph&)>& replaced) {
   const Graph& from = function.graph;
-  Function result{function.signature, {}, {}, function.limb_code, function.rounding, function.unit};
+  Function result = function;
+  result.graph = Graph();
   Graph& to = result.graph;
   std::vector<Ref> copies(from.size(), 0);
   for (const Ref k : reachable(from, outputs)) {

@@ -26,8 +26,8 @@ constexpr double kRoundings = 1e3;
 /// step, and steps of the beginning that are not judged.
 constexpr double kPowerSteps = 100;
 constexpr int kFirstSteps = 10;
-/// Steps in a row with too much energy that end a motion beside any power: where a motion explodes
-/// its power grows as fast.
+/// Steps in a row in which the motion has more energy than all that it has exchanged: those end it
+/// whatever its power is, which grows as fast where a motion explodes.
 constexpr int kEndingSteps = 10;
 /// The part of the speeds that a row adds up that counts as a speed of its own.
 constexpr double kOwnSpeed = 1e-3;
@@ -272,8 +272,12 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
   const double before = energy_;
   energy_ = simulation::energy(system, pose_, q, qd);
   if (!std::isfinite(energy_)) {
-    throw std::runtime_error("the energy is beyond the range of double");
+    note({"energy", "range", t, 0, 0, "J",
+          fmt::format("the energy is beyond the range of double at t = {:.6g} s", t)});
+    energy_ = before;
+    return;
   }
+  gained_ += energy_ - before;
   unexplained_ += energy_ - before - work.done;
   const double excess = std::max(0.0, unexplained_);
   worked_ += std::fabs(work.done);
@@ -283,7 +287,8 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
   const Scale had = exchanged_ < weight_ ? Scale{weight_, "of a fall by the robot's size"}
                                          : Scale{exchanged_, "that the motion has exchanged"};
   const Scale power{kPowerSteps * h * work.power, "of its forces' power in a hundred steps"};
-  excessive_steps_ = unexplained_ > bounds_.energy_end * had.first ? excessive_steps_ + 1 : 0;
+  excessive_steps_ =
+      std::min(gained_, unexplained_) > bounds_.energy_end * had.first ? excessive_steps_ + 1 : 0;
   const bool explodes = excessive_steps_ >= kEndingSteps;
   const auto [scale, name] = power.first > had.first && !explodes ? power : had;
   const double part = unexplained_ / scale;

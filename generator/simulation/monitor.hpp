@@ -25,8 +25,9 @@ struct Bounds {
   double pull = 1e-5;
   /// Energy beyond that of the beginning and the work of all forces, as a part of the energy that
   /// the motion has exchanged, of the fall of the robot by its size or of the power of a hundred
-  /// such steps, whatever is more; the motion ends, too, where ten steps in a row gain more than
-  /// that beside the first two.
+  /// such steps, whatever is more. Beyond `energy_end` of the first two alone it ends, too, where
+  /// the motion has gained as much in energy, ten steps in a row: work that steps do not resolve
+  /// leaves no energy behind.
   double energy_warning = 1e-2;
   double energy_end = 1;
   /// Turn of the velocity, rad, by rows near a singular position while errors of position and
@@ -138,7 +139,8 @@ class Monitor {
   double exchanged_ = 0;  ///< J
   double worked_ = 0;     ///< J, by all forces, either way
   int energy_steps_ = 0;
-  int excessive_steps_ = 0;      ///< in a row, beyond the end's part of what has been exchanged
+  double gained_ = 0;            ///< J, in steps
+  int excessive_steps_ = 0;      ///< in a row, with more energy gained than exchanged
   double unexplained_ = 0;       ///< J
   double most_unexplained_ = 0;  ///< J
   double largest_residual_ = 0;

@@ -204,6 +204,13 @@ TEST_F(Cli, SaysWhereTheCommandAloneIsAnother) {
                 HasSubstr(file("two_link." + ending).string() + ": command only, 2 lines\n"));
     EXPECT_THAT(outcome.out, Not(HasSubstr("constants only")));
   }
+  treedyn({"generate", kModel, "-o", out()});
+  const std::string header = read_file(file("two_link.hpp"));
+  const std::size_t digest = header.find("kDigest = 0x") + 12;
+  write_file(file("two_link.hpp"), header.substr(0, digest) + (header[digest] == '0' ? "1" : "0") +
+                                       header.substr(digest + 1));
+  EXPECT_THAT(treedyn({"check", kModel, "-o", out()}).out,
+              HasSubstr(file("two_link.hpp").string() + ": digest only, 1 line\n"));
 }
 
 TEST_F(Cli, SaysHowToUpdateInWordsOfAnyShell) {
@@ -552,6 +559,14 @@ TEST_F(Cli, VetsModelsWhoseLinksHaveOneIdentifier) {
   const Outcome outcome = treedyn({"vet", scratch("m.urdf")});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, "");
+  write_file(
+      scratch("m.yaml"),
+      "name: m\nlinks:\n"
+      "  - {name: x.1, father: ground, joint: {name: j, type: revolute, axis: [0, 0, 1]}, "
+      "mass: 1, com: [1, 0, 0]}\n"
+      "  - {name: x_1, father: x.1, joint: {name: k, type: revolute, axis: [0, 1, 0]}, mass: "
+      "1, com: [1, 0, 0]}\nequations: [{name: speed, value: D_P * qd}]\n");
+  EXPECT_EQ(treedyn({"vet", scratch("m.yaml")}).out, "");
 }
 
 TEST_F(Cli, VetsInThreeFormats) {

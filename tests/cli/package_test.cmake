@@ -13,7 +13,7 @@ file(WRITE ${scratch}/project/CMakeLists.txt [[
 cmake_minimum_required(VERSION 3.16)  # with policies that the package does not share
 project(consumer C CXX)
 set(CMAKE_CXX_STANDARD 11)  # generated code asks for no more
-add_subdirectory(package)  # which finds treedyn for all folders
+find_package(treedyn 0.1 REQUIRED)
 treedyn_generate(arm MODEL arm.yaml OPTIONS --scalar float --functions gravity_force)
 add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE arm)
@@ -34,7 +34,6 @@ treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
               OPTIONS --scalar float --functions gravity_force)
 ]])
-file(WRITE ${scratch}/project/package/CMakeLists.txt "find_package(treedyn 0.1 REQUIRED)\n")
 file(WRITE ${scratch}/project/own.yaml "equations: [{name: own, value: T(ones) * m_d * ones}]\n")
 set(settings "effort = 0\nequations = own.yaml\n")  # a file beside the settings
 file(WRITE ${scratch}/project/own.txt "${settings}language = c99\n")
@@ -170,9 +169,18 @@ run(${CMAKE_COMMAND} -S ${scratch}/project -B ${build} -DCMAKE_PREFIX_PATH=${scr
 run(${CMAKE_COMMAND} --build ${build})
 file(RENAME ${scratch}/third ${scratch}/second)
 
+# A package that one folder finds serves the others.
+file(WRITE ${scratch}/folders/CMakeLists.txt "cmake_minimum_required(VERSION 3.16)\nproject(folders C CXX)\nadd_subdirectory(package)\nadd_subdirectory(arm)\n")
+file(WRITE ${scratch}/folders/package/CMakeLists.txt "find_package(treedyn 0.1 REQUIRED)\n")
+file(WRITE ${scratch}/folders/arm/CMakeLists.txt "treedyn_generate(arm MODEL arm.yaml OPTIONS --functions gravity_force)\n")
+file(COPY ${scratch}/project/arm.yaml DESTINATION ${scratch}/folders/arm)
+run(${CMAKE_COMMAND} -S ${scratch}/folders -B ${scratch}/folders_build -G Ninja -DCMAKE_CXX_COMPILER=${CXX}
+    -DCMAKE_PREFIX_PATH=${scratch}/second)
+run(${CMAKE_COMMAND} --build ${scratch}/folders_build)
+
 # Calls that are wrong say what is wrong with them.
 file(READ ${scratch}/project/CMakeLists.txt project)
-file(COPY ${scratch}/project/ DESTINATION ${scratch}/wrong REGEX "project/CMakeLists.txt$" EXCLUDE)
+file(COPY ${scratch}/project/ DESTINATION ${scratch}/wrong PATTERN CMakeLists.txt EXCLUDE)
 function(expect_refusal from to message)  # more arguments are those of cmake
   string(REPLACE "${from}" "${to}" wrong "${project}")
   file(WRITE ${scratch}/wrong/CMakeLists.txt "${wrong}")

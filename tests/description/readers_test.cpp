@@ -288,9 +288,10 @@ TEST(Vet, FindsLimitsInDegreesAndBelowZero) {
   };
   EXPECT_THAT(
       joint("revolute", "lower=\"-90\" upper=\"90\" effort=\"1\" velocity=\"1\""),
-      ElementsAre("4: joint 'j': lower limit -90 is beyond two turns; angles are in radians",
-                  "4: joint 'j': upper limit 90 is beyond two turns; angles are in radians"));
-  EXPECT_THAT(joint("revolute", "lower=\"-12.57\" upper=\"1e4\""), ElementsAre());
+      ElementsAre("4: joint 'j': lower limit -90 looks like degrees; angles are in radians",
+                  "4: joint 'j': upper limit 90 looks like degrees; angles are in radians"));
+  EXPECT_THAT(joint("revolute", "lower=\"-12.5\" upper=\"1e4\""), ElementsAre());
+  EXPECT_THAT(joint("revolute", "lower=\"0\" upper=\"50\""), ElementsAre()) << "a winch";
   EXPECT_THAT(joint("prismatic", "lower=\"-90\" upper=\"90\""), ElementsAre());
   EXPECT_THAT(joint("continuous", "lower=\"90\" upper=\"-90\""), ElementsAre());
   EXPECT_THAT(joint("revolute", "lower=\"0\" upper=\"1\" effort=\"-3\" velocity=\"-2\""),
@@ -306,11 +307,13 @@ TEST(Vet, FindsInertiasInOtherUnits) {
                     one_joint("<origin xyz=\"0.3 0 0.4\"/><axis xyz=\"0 0 1\"/>", inertia));
   };
   EXPECT_THAT(body(inertial("2", "0.01", "0.1 0 0")), ElementsAre());
-  EXPECT_THAT(body(inertial("2", "0.01", "100 0 0")),
-              ElementsAre(HasSubstr("link 'a' has a radius of gyration of 0.0866 m, its center of "
-                                    "mass at 100 m, beside distances of up to 100 m; ")));
+  EXPECT_THAT(
+      body(inertial("2", "0.01", "100 0 0")),
+      ElementsAre(HasSubstr("link 'a' has a radius of gyration of 0.0866 m and its center "
+                            "of mass at 100 m, beside offsets of joints of up to 0.5 m; ")));
   EXPECT_THAT(body(inertial("2", "1e4")), ElementsAre(HasSubstr("86.6 m")));
-  EXPECT_THAT(body(inertial("2", "1e-10")), ElementsAre(HasSubstr("8.66e-06 m")));
+  EXPECT_THAT(body(inertial("2", "1e-10", "1 0 0")), ElementsAre()) << "a point, nearly";
+  EXPECT_THAT(body(inertial("200", "300")), ElementsAre()) << "a turntable";
   EXPECT_THAT(findings("units.urdf", one_joint("<axis xyz=\"0 0 1\"/>", inertial("2", "1e4"))),
               ElementsAre())
       << "nothing to compare with";
