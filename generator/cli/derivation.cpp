@@ -129,8 +129,8 @@ std::string lines_text(const derive::Derivation& derivation,
 std::string recursion_text(const formulate::Derived& function,
                            const std::vector<program::Cost>& costs) {
   std::string result =
-      "\nrecursion: D and N from the root, D^T and N^T to it; operations in link frames before any "
-      "search\n" +
+      "\nrecursion: D and N from the root, D^T and N^T to it; operations of these "
+      "lines in link frames (those of the code: info --passes)\n" +
       lines_text(function.derivation, costs);
   if (const int others = costs.back().total(); others > 0) {
     result += fmt::format("  {:>5}  angles and places of joints\n", others);
@@ -231,7 +231,7 @@ std::string scene_text(const Model& model, const Request& request, const std::st
       equations::scene_function_info(name).equations.empty()) {
     throw UsageError(
         fmt::format("--derivation: {} is no block equation; expected one of the equations, a "
-                    "function of (1) to (11), or of a scene: {}",
+                    "function of (1) to (11), or of a scene, without the name of a phase: {}",
                     shown(name), fmt::join(scene_functions(), ", ")));
   }
   const equations::SceneFunctionInfo& info = equations::scene_function_info(name);

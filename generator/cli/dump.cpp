@@ -1,12 +1,16 @@
 #include "cli/dump.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "common/index.hpp"
+#include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 #include "expansion/equations_text.hpp"
+#include "formulate/scene_names.hpp"
 #include "stages/formulation.hpp"
 #include "stages/run_time_parameters.hpp"
 #include "stages/writing.hpp"
@@ -65,6 +69,37 @@ std::string program_text(const program::Function& function) {
   return result + fmt::format("  outputs {}\n", fmt::join(function.outputs, " "));
 }
 
+/// True for what leaves block equations, and is of the scene.
+bool is_derived(const model::Scene& scene, const equations::SceneFunctionInfo& info) {
+  const std::string_view name = info.name;
+  return !info.equations.empty() &&
+         (name == "constrained_dynamics" ||
+          (name == "impact" ? !formulate::impacts_of(scene).empty() : !scene.constraints.empty()));
+}
+
+/// The functions that are written and have a derivation.
+std::vector<std::string> derived_functions(const Model& model) {
+  std::vector<std::string> result;
+  std::ranges::copy_if(model.functions, std::back_inserter(result), [](const std::string& name) {
+    return equations::find_solved(name) != nullptr;
+  });
+  for (const auto& equation : model.equations) {
+    result.push_back(equation->equation.name);
+  }
+  if (!model.scene) {
+    return result;
+  }
+  const std::vector<std::string>& wanted = model.scene_functions;
+  for (const equations::SceneFunctionInfo& info : equations::scene_function_infos()) {
+    const bool is_wanted =
+        wanted.empty() || std::ranges::find(wanted, std::string(info.name)) != wanted.end();
+    if (is_wanted && is_derived(*model.scene, info)) {
+      result.emplace_back(info.name);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string equations_text(const Model& model, const Request& request) {
@@ -93,12 +128,8 @@ std::string dump(const Request& request, const std::string& stage) {
   }
   if (stage == "derive") {
     std::string text;
-    for (const std::string& name : model.functions) {
-      text += equations::find_solved(name) != nullptr ? derivation_text(model, request, name) + "\n"
-                                                      : "";
-    }
-    for (const auto& equation : model.equations) {
-      text += derivation_text(model, request, equation->equation.name) + "\n";
+    for (const std::string& name : derived_functions(model)) {
+      text += derivation_text(model, request, name) + "\n";
     }
     return text;
   }

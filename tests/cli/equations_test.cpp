@@ -383,6 +383,17 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
                      "is no block equation");
   expect_usage_error(treedyn({"info", kModel, "--derivation", "step"}), "is no block equation");
   EXPECT_THAT(treedyn({"generate", kModel, "--dump", "derive"}).out, HasSubstr("mass_matrix: "));
+  const auto of_scene = [](const char* scene) {
+    return treedyn({"generate", "--scene",
+                    std::string(TREEDYN_SOURCE_DIR "/models/scenes/") + scene + ".yaml", "--dump",
+                    "derive"})
+        .out;
+  };
+  EXPECT_THAT(of_scene("compass_walk"),
+              testing::AllOf(HasSubstr("reaction_jacobian_transpose: equation (10)\n"),
+                             HasSubstr("constrained_dynamics: "), HasSubstr("impact: ")));
+  EXPECT_THAT(of_scene("pendulum"), testing::StartsWith("constrained_dynamics: "));
+  EXPECT_THAT(of_scene("pendulum"), testing::Not(HasSubstr("impact: ")));
 }
 
 /// Each joint has its column of the momentum about the base origin: one vector on the way there,
