@@ -10,6 +10,7 @@
 #include "dynamics/generated_step.hpp"
 #include "model/scene.hpp"
 #include "simulation/pose.hpp"
+#include "simulation/simulator.hpp"
 #include "simulation/system.hpp"
 #include "stages/step_files.hpp"
 
@@ -49,7 +50,7 @@ struct Subject {
   model::Scene scene;
   std::string file;  ///< of the scene
   std::vector<Start> starts;
-  double moved = 0;  ///< how far the scene's own initial state was from the constraints
+  simulation::Move moved;  ///< of the scene's own initial state onto the constraints
   std::shared_ptr<simulation::Dynamics> dynamics;  ///< of the scene
   Real interval = 0;                               ///< s between comparisons
   int times = 0;

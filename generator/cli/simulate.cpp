@@ -194,7 +194,7 @@ std::string list_of(const List& rows) {
 }  // namespace
 
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress) {
-  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, {}, {}, {}, {}};
+  SimulateResult result{description::read_scene(request.scene), {}, {}, {}, {}, {}, {}, {}, {}};
   apply(request, result.scene);
   check(request, result.scene);
   if (!request.output.empty()) {

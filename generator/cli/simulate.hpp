@@ -7,6 +7,7 @@
 #include "dynamics/generated_run.hpp"
 #include "model/scene.hpp"
 #include "simulation/recording.hpp"
+#include "simulation/simulator.hpp"
 
 namespace treedyn {
 
@@ -41,7 +42,7 @@ struct OfStep {
 struct SimulateResult {
   model::Scene scene;
   simulation::Recording recording;
-  double moved = 0;                    ///< how far the initial state was from the constraints
+  simulation::Move moved;              ///< of the initial state onto the constraints
   simulation::Stability stability;     ///< of the initial state
   std::optional<double> seconds;       ///< that the run took, if it was asked for
   std::optional<long> operations;      ///< of one evaluation of the terms, if they are counted
@@ -62,7 +63,7 @@ SimulateResult simulate(const SimulateRequest& request, const simulation::Progre
 std::optional<Warning> warning_of_start(const std::string& file, const model::Scene& scene);
 
 /// That an initial state was moved onto the constraints, if it was by more than rounding.
-std::optional<std::string> warning_of_move(double moved);
+std::optional<std::string> warning_of_move(const model::Scene& scene, const simulation::Move& move);
 /// What went wrong, a line each: the initial state that was moved, and what a step noticed.
 std::vector<std::string> warnings_of(const SimulateResult& result);
 /// What `-v` says: the cost, how well promises were kept, and the stable steps of all integrators.

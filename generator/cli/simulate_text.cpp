@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include "cli/simulate.hpp"
+#include "common/index.hpp"
 #include "common/transformed.hpp"
 #include "emit/json.hpp"
+#include "simulation/column_names.hpp"
 
 namespace treedyn {
 
@@ -66,15 +68,22 @@ std::string notice_json(const simulation::Notice& notice) {
                             {"text", emit::json_string(simulation::to_string(notice))}});
 }
 
+/// What has moved most: tables begin with q and qd.
+simulation::Column column_of(const model::Scene& scene, const simulation::Move& move) {
+  return simulation::columns_of(scene)[to_index(move.place)];
+}
+
 std::string warnings_json(const SimulateResult& result) {
   std::vector<std::string> lines;
-  if (result.moved > kMoved) {
-    lines.push_back(emit::json_object({{"kind", "\"initial\""},
-                                       {"name", "\"\""},
-                                       {"t", json_number(static_cast<double>(result.scene.t0))},
-                                       {"value", json_number(result.moved)},
-                                       {"bound", json_number(kMoved)},
-                                       {"text", emit::json_string(warnings_of(result).front())}}));
+  if (result.moved.size > kMoved) {
+    lines.push_back(
+        emit::json_object({{"kind", "\"initial\""},
+                           {"name", emit::json_string(column_of(result.scene, result.moved).name)},
+                           {"t", json_number(static_cast<double>(result.scene.t0))},
+                           {"value", json_number(result.moved.size)},
+                           {"bound", json_number(kMoved)},
+                           {"unit", emit::json_string(column_of(result.scene, result.moved).unit)},
+                           {"text", emit::json_string(warnings_of(result).front())}}));
   }
   for (const simulation::Notice& notice : result.recording.notices) {
     lines.push_back(notice_json(notice));
@@ -143,15 +152,19 @@ std::string operations_text(const SimulateResult& result) {
 
 }  // namespace
 
-std::optional<std::string> warning_of_move(double moved) {
-  return moved > kMoved ? std::optional(fmt::format(
-                              "the initial state was moved by {:.2g} onto the constraints", moved))
-                        : std::nullopt;
+std::optional<std::string> warning_of_move(const model::Scene& scene,
+                                           const simulation::Move& move) {
+  if (!(move.size > kMoved)) {
+    return std::nullopt;
+  }
+  const simulation::Column column = column_of(scene, move);
+  return fmt::format("the initial state was moved by {:.2g} {} ({}) onto the constraints",
+                     move.size, column.unit, column.name);
 }
 
 std::vector<std::string> warnings_of(const SimulateResult& result) {
   std::vector<std::string> lines;
-  if (std::optional<std::string> line = warning_of_move(result.moved)) {
+  if (std::optional<std::string> line = warning_of_move(result.scene, result.moved)) {
     lines.push_back(*std::move(line));
   }
   for (const simulation::Notice& notice : result.recording.notices) {

@@ -119,7 +119,7 @@ void Simulator::refuse_undefined_rows() {
   }
 }
 
-double Simulator::settle() {
+Move Simulator::settle() {
   refuse_undefined_rows();
   Vector position = q();
   Vector velocity = qd();
@@ -159,7 +159,9 @@ double Simulator::settle() {
       note_below(watch, t_, y_);
     }
   }
-  return (y_ - before).cwiseAbs().maxCoeff();
+  Eigen::Index place = -1;
+  const double size = (y_ - before).cwiseAbs().maxCoeff(&place);
+  return {size, static_cast<int>(place)};
 }
 
 /// A touch-down whose point is below the plane without having been above since it is looked at; it

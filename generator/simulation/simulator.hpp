@@ -69,14 +69,20 @@ double least_step(double t);
 
 /// Steps are those of the dynamics: neither the end of the motion nor rows of a table change them,
 /// but for the last one. Methods with fixed steps stop at t0 + k step, and at events in between.
+/// The largest change of a state, and of which of q and behind it qd; -1: of none.
+struct Move {
+  double size = 0;
+  int place = -1;
+};
+
 class Simulator {
  public:
   /// \pre `settings.integrator` is one of integrators()
   Simulator(const model::Scene& scene, Dynamics& dynamics, const Settings& settings);
 
-  /// Moves the initial state onto the constraints that act. \return largest change of a coordinate
-  /// or speed \throws std::runtime_error if that fails
-  double settle();
+  /// Moves the initial state onto the constraints that act.
+  /// \throws std::runtime_error if that fails
+  Move settle();
 
   using Observe = std::function<bool()>;
   /// Integrates and lands exactly on `end`; calls `observe` after every step and event, and stops
