@@ -94,9 +94,9 @@ std::string without_returns(std::string text) {
   return text;
 }
 
-/// Without the command in a comment and the names of files in a manifest: no statement depends on
-/// what the model's file is called, and options have their own line in the manifest.
-std::string without_file_names(std::string text) {
+/// Without the command in a comment, the names and checksums of files in a manifest: no statement
+/// depends on what the model's file is called, and options have their own line in the manifest.
+std::string without_origin(std::string text) {
   const std::size_t command = text.find("\n//   treedyn generate");
   if (command != std::string::npos) {
     constexpr std::string_view kGoesOn = "\n//     ";
@@ -108,7 +108,7 @@ std::string without_file_names(std::string text) {
   }
   constexpr std::string_view kFile = "{\"file\": ";
   for (std::size_t at = text.find(kFile); at != std::string::npos; at = text.find(kFile, at + 1)) {
-    text.erase(at, text.find(", \"sha256\"", at) - at);
+    text.erase(at, text.find('}', at) - at);
   }
   return text;
 }
@@ -133,10 +133,9 @@ std::string verdict(const std::string& old_text, const std::string& new_text,
   if (std::ranges::count(old_text, '\r') > 0 && without_returns(old_text) == new_text) {
     return fmt::format("{}: lines end in \\r\\n and are the same else\n", path);
   }
-  const std::string before = without_file_names(old_text);
-  const std::string after = without_file_names(new_text);
-  const char* const what = without_digest(old_text) == without_digest(new_text)  ? "digest only"
-                           : without_digest(before) == without_digest(after)     ? "command only"
+  const std::string before = without_origin(old_text);
+  const std::string after = without_origin(new_text);
+  const char* const what = without_digest(before) == without_digest(after)       ? "origin only"
                            : without_literals(before) == without_literals(after) ? "constants only"
                                                                                  : "structure";
   const int lines = changed_lines(old_text, new_text);

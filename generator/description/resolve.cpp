@@ -69,12 +69,9 @@ std::vector<Record> in_file_order(std::vector<Record> records) {
   return records;
 }
 
-/// Lengths in mm are a thousandfold, tensors in kg mm^2 a millionfold, radii of gyration then a
-/// thousandfold; bodies are, and their centers of mass lie, within a hundredfold of other lengths.
+/// Lengths in mm are a thousandfold, radii of gyration of kg mm^2 too: a body reaches, and its
+/// center of mass lies, within a hundredfold of the largest of all other lengths.
 constexpr int kOtherUnits = 100;
-/// Of the position of a center of mass beside its radius of gyration: a ball of 5 cm hangs 10 m
-/// below.
-constexpr int kFarOut = 300;
 
 /// m; 0 without a mass.
 Real radius_of_gyration(const model::Inertia& inertia) {
@@ -309,8 +306,7 @@ class Resolver {
     }
     const auto vet_angle = [&](const std::optional<Real>& angle, const std::optional<Text>& text,
                                const char* which) {
-      if (angle && abs(*angle) > 4 * pi() && abs(*angle) <= 360 &&
-          *angle / 15 == floor(*angle / 15)) {
+      if (angle && abs(*angle) >= 60 && abs(*angle) <= 360 && *angle == floor(*angle)) {
         find(*text, which, "looks like degrees; angles are in radians");
       }
     };
@@ -332,12 +328,11 @@ class Resolver {
       inertias.push_back(
           resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings));
     }
-    const Real offset = longest_offset();
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const int carrier = carrier_index(placements_[k]);
       const bool moves = carrier != model::kGround;
       const model::Inertia& inertia = inertias[k];
-      vet_inertia(raw_.links[k], inertia, offset);
+      vet_inertia(raw_.links[k], inertia, largest_length(inertias, k));
       if (raw_.links[k].inertia && raw_.links[k].inertia->pose.rpy) {
         const Numbers& rpy = *raw_.links[k].inertia->pose.rpy;
         const std::string what = fmt::format("link '{}': rpy", shown(raw_.links[k].name.text));
@@ -353,17 +348,26 @@ class Resolver {
     }
   }
 
-  /// From the frame of a moving link to that of a joint on it.
-  [[nodiscard]] Real longest_offset() const {
-    Real result = 0;
+  /// The largest offset of a joint, position of a center of mass and radius of gyration of all
+  /// links but one; 0 where there is no other body.
+  [[nodiscard]] Real largest_length(const std::vector<model::Inertia>& bodies,
+                                    std::size_t without) const {
+    Real largest = 0;
     for (const Placement& frame : joint_frames_) {
-      result = std::max(result, norm(frame.origin));
+      largest = std::max(largest, norm(frame.origin));
     }
-    return result;
+    bool has_others = false;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      if (k != without && bodies[k].mass != 0) {
+        has_others = true;
+        largest = std::max({largest, norm(bodies[k].com), radius_of_gyration(bodies[k])});
+      }
+    }
+    return has_others ? largest : Real(0);
   }
 
   /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass, other units.
-  void vet_inertia(const RawLink& link, const model::Inertia& inertia, const Real& offset) {
+  void vet_inertia(const RawLink& link, const model::Inertia& inertia, const Real& others) {
     std::string fault;
     const Real radius = radius_of_gyration(inertia);
     const Real com = norm(inertia.com);
@@ -371,13 +375,12 @@ class Resolver {
       fault = "has a mass, and zeros for its inertia";
     } else if (inertia.mass == 0 && inertia.about_com != Matrix3{}) {
       fault = "has an inertia, but no mass";
-    } else if (offset > 0 &&
-               (radius > kOtherUnits * std::max(offset, com) ||
-                (radius > 0 && com > kOtherUnits * offset && com > kFarOut * radius))) {
+    } else if (others > 0 && std::max(radius, com) > kOtherUnits * others) {
       fault = fmt::format(
-          "has a radius of gyration of {} m and its center of mass at {} m, beside offsets of "
-          "joints of up to {} m; lengths are in m, masses in kg",
-          radius.str(3), com.str(3), offset.str(3));
+          "has a radius of gyration of {} m and its center of mass at {} m, beside lengths of up "
+          "to "
+          "{} m elsewhere; lengths are in m, masses in kg",
+          radius.str(3), com.str(3), others.str(3));
     }
     if (!fault.empty()) {
       findings_.push_back(

@@ -25,9 +25,8 @@ struct Bounds {
   double pull = 1e-5;
   /// Energy beyond that of the beginning and the work of all forces, as a part of the energy that
   /// the motion has exchanged, of the fall of the robot by its size or of the power of a hundred
-  /// such steps, whatever is more. Beyond `energy_end` of the first two alone it ends, too, where
-  /// the motion has gained as much in energy, ten steps in a row: work that steps do not resolve
-  /// leaves no energy behind.
+  /// such steps, whatever is more. It ends where some of that energy is still there; and where ten
+  /// steps in a row have more of it than the motion began with and was given, and it grows.
   double energy_warning = 1e-2;
   double energy_end = 1;
   /// Turn of the velocity, rad, by rows near a singular position while errors of position and
@@ -121,6 +120,7 @@ class Monitor {
   };
   [[nodiscard]] Row row(const Constraints& constraints, int k) const;
   void measure(System& system, const Vector& q);
+  [[nodiscard]] bool explodes(double given);
 
   const model::Scene& scene_;
   Bounds bounds_;
@@ -139,8 +139,10 @@ class Monitor {
   double exchanged_ = 0;  ///< J
   double worked_ = 0;     ///< J, by all forces, either way
   int energy_steps_ = 0;
+  double given_ = 0;             ///< J, of the beginning, and by forces that drove
   double gained_ = 0;            ///< J, in steps
-  int excessive_steps_ = 0;      ///< in a row, with more energy gained than exchanged
+  int excessive_steps_ = 0;      ///< in a row, with more energy gained than given
+  double excess_from_ = 0;       ///< J, before them
   double unexplained_ = 0;       ///< J
   double most_unexplained_ = 0;  ///< J
   double largest_residual_ = 0;

@@ -67,14 +67,14 @@ struct Cost {
 /// What advances the time t at all, s.
 double least_step(double t);
 
-/// Steps are those of the dynamics: neither the end of the motion nor rows of a table change them,
-/// but for the last one. Methods with fixed steps stop at t0 + k step, and at events in between.
 /// The largest change of a state, and of which of q and behind it qd; -1: of none.
 struct Move {
   double size = 0;
   int place = -1;
 };
 
+/// Steps are those of the dynamics: neither the end of the motion nor rows of a table change them,
+/// but for the last one. Methods with fixed steps stop at t0 + k step, and at events in between.
 class Simulator {
  public:
   /// \pre `settings.integrator` is one of integrators()

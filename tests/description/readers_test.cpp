@@ -290,7 +290,11 @@ TEST(Vet, FindsLimitsInDegreesAndBelowZero) {
       joint("revolute", "lower=\"-90\" upper=\"90\" effort=\"1\" velocity=\"1\""),
       ElementsAre("4: joint 'j': lower limit -90 looks like degrees; angles are in radians",
                   "4: joint 'j': upper limit 90 looks like degrees; angles are in radians"));
+  EXPECT_THAT(
+      joint("revolute", "lower=\"-25\" upper=\"155\""),
+      ElementsAre("4: joint 'j': upper limit 155 looks like degrees; angles are in radians"));
   EXPECT_THAT(joint("revolute", "lower=\"-12.5\" upper=\"1e4\""), ElementsAre());
+  EXPECT_THAT(joint("revolute", "lower=\"-62.8\" upper=\"62.8\""), ElementsAre()) << "ten turns";
   EXPECT_THAT(joint("revolute", "lower=\"0\" upper=\"50\""), ElementsAre()) << "a winch";
   EXPECT_THAT(joint("prismatic", "lower=\"-90\" upper=\"90\""), ElementsAre());
   EXPECT_THAT(joint("continuous", "lower=\"90\" upper=\"-90\""), ElementsAre());
@@ -302,21 +306,26 @@ TEST(Vet, FindsLimitsInDegreesAndBelowZero) {
 TEST(Vet, FindsInertiasInOtherUnits) {
   using testing::ElementsAre;
   using testing::HasSubstr;
-  const auto body = [&](const std::string& inertia) {
+  const auto bodies = [&](const std::string& base, const std::string& inertia,
+                          const char* offset = "0.3 0 0.4") {
+    std::string robot =
+        one_joint(fmt::format("<origin xyz=\"{}\"/><axis xyz=\"0 0 1\"/>", offset), inertia);
+    const std::string_view root = "<link name=\"base\"/>";
+    const std::size_t place = robot.find(root);
     return findings("units.urdf",
-                    one_joint("<origin xyz=\"0.3 0 0.4\"/><axis xyz=\"0 0 1\"/>", inertia));
+                    robot.replace(place, root.size(), "<link name=\"base\">" + base + "</link>"));
   };
-  EXPECT_THAT(body(inertial("2", "0.01", "0.1 0 0")), ElementsAre());
+  const std::string own = inertial("5", "0.05");
+  EXPECT_THAT(bodies(own, inertial("2", "0.01", "0.1 0 0")), ElementsAre());
   EXPECT_THAT(
-      body(inertial("2", "0.01", "100 0 0")),
+      bodies(own, inertial("2", "0.01", "100 0 0")),
       ElementsAre(HasSubstr("link 'a' has a radius of gyration of 0.0866 m and its center "
-                            "of mass at 100 m, beside offsets of joints of up to 0.5 m; ")));
-  EXPECT_THAT(body(inertial("2", "1e4")), ElementsAre(HasSubstr("86.6 m")));
-  EXPECT_THAT(body(inertial("2", "1e-10", "1 0 0")), ElementsAre()) << "a point, nearly";
-  EXPECT_THAT(body(inertial("200", "300")), ElementsAre()) << "a turntable";
-  EXPECT_THAT(findings("units.urdf", one_joint("<axis xyz=\"0 0 1\"/>", inertial("2", "1e4"))),
-              ElementsAre())
-      << "nothing to compare with";
+                            "of mass at 100 m, beside lengths of up to 0.5 m elsewhere; ")));
+  EXPECT_THAT(bodies(own, inertial("2", "1e4")), ElementsAre(HasSubstr("86.6 m")));
+  EXPECT_THAT(bodies(own, inertial("2", "1e-10", "1 0 0")), ElementsAre()) << "a point, nearly";
+  EXPECT_THAT(bodies(inertial("500", "400"), inertial("2", "0.01"), "0.005 0 0"), ElementsAre())
+      << "a satellite";
+  EXPECT_THAT(bodies("", inertial("2", "1e4")), ElementsAre()) << "nothing to compare with";
 }
 
 /// A joint within a link is what the two roots come from.
