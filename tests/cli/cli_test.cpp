@@ -326,7 +326,8 @@ TEST_F(Cli, AnotherNameOfTheModelsFileIsNoOtherStructure) {
     write_file(scratch(name), model);
     const Outcome outcome = run("check", {scratch(name)});
     EXPECT_EQ(outcome.status, 1);
-    for (const char* const part : {"m.hpp", "m.cpp", "m.json"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(file("m.hpp").string() + ": origin only, "));
+    for (const char* const part : {"m.cpp", "m.json"}) {
       EXPECT_THAT(outcome.out, HasSubstr(file(part).string() + ": constants only, "));
     }
     EXPECT_THAT(run("check", {scratch(name), "--functions", "mass_matrix"}).out,
