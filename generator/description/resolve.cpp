@@ -328,11 +328,12 @@ class Resolver {
       inertias.push_back(
           resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings));
     }
+    const std::vector<Real> elsewhere = lengths_elsewhere(inertias);
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const int carrier = carrier_index(placements_[k]);
       const bool moves = carrier != model::kGround;
       const model::Inertia& inertia = inertias[k];
-      vet_inertia(raw_.links[k], inertia, largest_length(inertias, k));
+      vet_inertia(raw_.links[k], inertia, elsewhere[k]);
       if (raw_.links[k].inertia && raw_.links[k].inertia->pose.rpy) {
         const Numbers& rpy = *raw_.links[k].inertia->pose.rpy;
         const std::string what = fmt::format("link '{}': rpy", shown(raw_.links[k].name.text));
@@ -348,22 +349,30 @@ class Resolver {
     }
   }
 
-  /// The largest offset of a joint, position of a center of mass and radius of gyration of all
-  /// links but one; 0 where there is no other body.
-  [[nodiscard]] Real largest_length(const std::vector<model::Inertia>& bodies,
-                                    std::size_t without) const {
-    Real largest = 0;
+  /// By link, the largest offset of a joint, position of a center of mass and radius of gyration of
+  /// all others; 0 where there is no other body.
+  [[nodiscard]] std::vector<Real> lengths_elsewhere(
+      const std::vector<model::Inertia>& bodies) const {
+    Real offset = 0;
     for (const Placement& frame : joint_frames_) {
-      largest = std::max(largest, norm(frame.origin));
+      offset = std::max(offset, norm(frame.origin));
     }
-    bool has_others = false;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      if (k != without && bodies[k].mass != 0) {
-        has_others = true;
-        largest = std::max({largest, norm(bodies[k].com), radius_of_gyration(bodies[k])});
+    const std::vector<Real> own = transformed<Real>(bodies, [](const model::Inertia& body) {
+      return body.mass == 0 ? Real(-1) : std::max(norm(body.com), radius_of_gyration(body));
+    });
+    std::array<Real, 2> largest = {-1, -1};
+    for (const Real& length : own) {
+      if (length > largest[1]) {
+        largest[1] = length;
+      }
+      if (largest[1] > largest[0]) {
+        std::swap(largest[0], largest[1]);
       }
     }
-    return has_others ? largest : Real(0);
+    return transformed<Real>(own, [&](const Real& length) {
+      const Real& others = length == largest[0] ? largest[1] : largest[0];
+      return others < 0 ? Real(0) : std::max(offset, others);
+    });
   }
 
   /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass, other units.
