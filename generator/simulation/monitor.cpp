@@ -299,10 +299,11 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
   exchanged_ = std::max({exchanged_, worked_, pose_.kinetic_energy() - excess,
                          std::fabs(pose_.potential_energy() - potential_) - excess});
   using Scale = std::pair<double, const char*>;
-  const Scale had = exchanged_ < weight_ ? Scale{weight_, "of a fall by the robot's size"}
-                                         : Scale{exchanged_, "that the motion has exchanged"};
+  const Scale fall{weight_, "of a fall by the robot's size"};
+  const Scale had =
+      exchanged_ < weight_ ? fall : Scale{exchanged_, "that the motion has exchanged"};
   const Scale power{kPowerSteps * h * work.power, "of its forces' power in a hundred steps"};
-  const Scale given{std::max(given_, weight_), "that it began with and was given"};
+  const Scale given = given_ < weight_ ? fall : Scale{given_, "that it began with and was given"};
   const bool explodes = this->explodes(given.first);
   const auto [scale, name] = explodes ? given : power.first > had.first ? power : had;
   const double part = unexplained_ / scale;
