@@ -12,6 +12,7 @@
 #include "common/index.hpp"
 #include "common/transformed.hpp"
 #include "description/bodies.hpp"
+#include "description/doubts.hpp"
 #include "description/identifiers.hpp"
 #include "description/mimic.hpp"
 #include "description/named_points.hpp"
@@ -69,17 +70,6 @@ std::vector<Record> in_file_order(std::vector<Record> records) {
   return records;
 }
 
-/// Lengths in mm are a thousandfold, radii of gyration of kg mm^2 too: a body reaches, and its
-/// center of mass lies, within a hundredfold of the largest of all other lengths.
-constexpr int kOtherUnits = 100;
-
-/// m; 0 without a mass.
-Real radius_of_gyration(const model::Inertia& inertia) {
-  const Matrix3& I = inertia.about_com;
-  const Real trace = I[0] + I[4] + I[8];
-  return inertia.mass > 0 && trace > 0 ? Real(sqrt(trace / (2 * inertia.mass))) : Real(0);
-}
-
 /// One model in the making.
 class Resolver {
  public:
@@ -88,7 +78,8 @@ class Resolver {
         options_(options),
         numbers_(raw),
         snapper_(raw, options.snap),
-        skeleton_(resolve_skeleton(raw)) {}
+        skeleton_(resolve_skeleton(raw)),
+        doubts_(raw) {}
 
   Vetted run() {
     tree_.name = raw_.name.text;
@@ -104,8 +95,9 @@ class Resolver {
     resolve_parameters(raw_, options_.runtime, tree_);
     tree_.snaps = in_file_order(snapper_.log().snaps);
     tree_.warnings.insert(tree_.warnings.begin(), raw_.oddities.begin(), raw_.oddities.end());
-    findings_.insert(findings_.begin(), snapper_.log().misses.begin(), snapper_.log().misses.end());
-    return {std::move(tree_), in_file_order(std::move(findings_)), std::nullopt};
+    std::vector<Warning> findings = snapper_.log().misses;
+    findings.insert(findings.end(), doubts_.all().begin(), doubts_.all().end());
+    return {std::move(tree_), in_file_order(std::move(findings)), std::nullopt};
   }
 
  private:
@@ -157,7 +149,7 @@ class Resolver {
     if (joint.pose.rpy) {
       const std::string what = name + ": rpy";
       const Vector3 rpy = numbers_.vector(joint.pose.rpy, what);
-      vet_angles(rpy, *joint.pose.rpy, what);
+      doubts_.of_angles(rpy, *joint.pose.rpy, what);
       pose.rotation = snapper_.from_rpy(rpy, *joint.pose.rpy, what);
     } else if (joint.pose.matrix) {
       const std::string what = name + ": matrix";
@@ -165,17 +157,6 @@ class Resolver {
           snapper_.from_matrix(numbers_.matrix(*joint.pose.matrix, what), *joint.pose.matrix, what);
     }
     return pose;
-  }
-
-  /// Degrees where radians belong.
-  void vet_angles(const Vector3& rpy, const Numbers& written, const std::string& what) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (abs(rpy[k]) > 2 * pi() * Real("1.000001")) {
-        findings_.push_back({location(raw_, written.values[k].where),
-                             fmt::format("{} {} is beyond 2 pi; angles are in radians", what,
-                                         shown(written.values[k].text))});
-      }
-    }
   }
 
   /// Fathers first: fixed joints add up, moving joints start anew.
@@ -269,49 +250,15 @@ class Resolver {
                          limit(raw.limits.upper, name + ": upper limit"),
                          limit(raw.limits.velocity, name + ": velocity limit"),
                          limit(raw.limits.effort, name + ": effort limit")};
-    vet_limits(raw, name, result);
     const bool turns_on = raw.type.text == "continuous";  // its positions have no limits
-    if (turns_on) {
-      return result;
-    }
-    if (result.lower && result.upper && *result.lower > *result.upper) {
+    if (!turns_on && result.lower && result.upper && *result.lower > *result.upper) {
       tree_.warnings.push_back(
           {location(raw_, raw.limits.lower->where),
            fmt::format("{}: lower limit {} is above the upper limit {}", name,
                        shown(raw.limits.lower->text), shown(raw.limits.upper->text))});
-    } else if (result.lower && result.lower == result.upper) {
-      findings_.push_back(
-          {location(raw_, raw.limits.lower->where),
-           fmt::format("{}: lower and upper limit are both {}, which leaves it one position", name,
-                       shown(raw.limits.lower->text))});
     }
+    doubts_.of_limits(raw, name, result);
     return result;
-  }
-
-  /// Degrees where radians belong, sizes below zero.
-  void vet_limits(const RawJoint& raw, const std::string& name, const model::Limits& limits) {
-    const auto find = [&](const Text& text, const char* which, const char* fault) {
-      findings_.push_back(
-          {location(raw_, text.where),
-           fmt::format("{}: {} limit {} {}", name, which, shown(text.text), fault)});
-    };
-    if (limits.velocity && *limits.velocity < 0) {
-      find(*raw.limits.velocity, "velocity", "is negative; it bounds a size");
-    }
-    if (limits.effort && *limits.effort < 0) {
-      find(*raw.limits.effort, "effort", "is negative; it bounds a size");
-    }
-    if (raw.type.text != "revolute") {
-      return;
-    }
-    const auto vet_angle = [&](const std::optional<Real>& angle, const std::optional<Text>& text,
-                               const char* which) {
-      if (angle && abs(*angle) >= 60 && abs(*angle) <= 360 && *angle == floor(*angle)) {
-        find(*text, which, "looks like degrees; angles are in radians");
-      }
-    };
-    vet_angle(limits.lower, raw.limits.lower, "lower");
-    vet_angle(limits.upper, raw.limits.upper, "upper");
   }
 
   /// The model's index of a carrier.
@@ -328,16 +275,15 @@ class Resolver {
       inertias.push_back(
           resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings));
     }
-    const std::vector<Real> elsewhere = lengths_elsewhere(inertias);
+    doubts_.of_inertias(inertias, longest_offset());
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const int carrier = carrier_index(placements_[k]);
       const bool moves = carrier != model::kGround;
       const model::Inertia& inertia = inertias[k];
-      vet_inertia(raw_.links[k], inertia, elsewhere[k]);
       if (raw_.links[k].inertia && raw_.links[k].inertia->pose.rpy) {
         const Numbers& rpy = *raw_.links[k].inertia->pose.rpy;
         const std::string what = fmt::format("link '{}': rpy", shown(raw_.links[k].name.text));
-        vet_angles(numbers_.vector(rpy, what), rpy, what);
+        doubts_.of_angles(numbers_.vector(rpy, what), rpy, what);
       }
       if (moves && raw_.links[k].inertia) {
         bodies[to_index(carrier)].push_back(
@@ -349,52 +295,13 @@ class Resolver {
     }
   }
 
-  /// By link, the largest offset of a joint, position of a center of mass and radius of gyration of
-  /// all others; 0 where there is no other body.
-  [[nodiscard]] std::vector<Real> lengths_elsewhere(
-      const std::vector<model::Inertia>& bodies) const {
-    Real offset = 0;
+  /// From the frame of a moving link to that of a joint on it.
+  [[nodiscard]] Real longest_offset() const {
+    Real longest = 0;
     for (const Placement& frame : joint_frames_) {
-      offset = std::max(offset, norm(frame.origin));
+      longest = std::max(longest, norm(frame.origin));
     }
-    const std::vector<Real> own = transformed<Real>(bodies, [](const model::Inertia& body) {
-      return body.mass == 0 ? Real(-1) : std::max(norm(body.com), radius_of_gyration(body));
-    });
-    std::array<Real, 2> largest = {-1, -1};
-    for (const Real& length : own) {
-      if (length > largest[1]) {
-        largest[1] = length;
-      }
-      if (largest[1] > largest[0]) {
-        std::swap(largest[0], largest[1]);
-      }
-    }
-    return transformed<Real>(own, [&](const Real& length) {
-      const Real& others = length == largest[0] ? largest[1] : largest[0];
-      return others < 0 ? Real(0) : std::max(offset, others);
-    });
-  }
-
-  /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass, other units.
-  void vet_inertia(const RawLink& link, const model::Inertia& inertia, const Real& others) {
-    std::string fault;
-    const Real radius = radius_of_gyration(inertia);
-    const Real com = norm(inertia.com);
-    if (inertia.mass != 0 && link.inertia->tensor && inertia.about_com == Matrix3{}) {
-      fault = "has a mass, and zeros for its inertia";
-    } else if (inertia.mass == 0 && inertia.about_com != Matrix3{}) {
-      fault = "has an inertia, but no mass";
-    } else if (others > 0 && std::max(radius, com) > kOtherUnits * others) {
-      fault = fmt::format(
-          "has a radius of gyration of {} m and its center of mass at {} m, beside lengths of up "
-          "to "
-          "{} m elsewhere; lengths are in m, masses in kg",
-          radius.str(3), com.str(3), others.str(3));
-    }
-    if (!fault.empty()) {
-      findings_.push_back(
-          {location(raw_, link.where), fmt::format("link '{}' {}", shown(link.name.text), fault)});
-    }
+    return longest;
   }
 
   void add_frames() {
@@ -419,8 +326,8 @@ class Resolver {
   NumberReader numbers_;
   Snapper snapper_;
   Skeleton skeleton_;
+  Doubts doubts_;
   model::Tree tree_;
-  std::vector<Warning> findings_;
   std::vector<Placement> placements_;  ///< per link of the file: its frame in its carrier
   std::vector<Placement>
       joint_frames_;  ///< per link: its joint's frame at q = 0 in the father's carrier

@@ -1,0 +1,119 @@
+#include "description/doubts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "common/transformed.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+/// Lengths in mm are a thousandfold, radii of gyration of kg mm^2 too: a body reaches, and its
+/// center of mass lies, within a hundredfold of the largest of all other lengths.
+constexpr int kOtherUnits = 100;
+
+/// m; 0 without a mass.
+Real radius_of_gyration(const model::Inertia& body) {
+  const Matrix3& I = body.about_com;
+  const Real trace = I[0] + I[4] + I[8];
+  return body.mass > 0 && trace > 0 ? Real(sqrt(trace / (2 * body.mass))) : Real(0);
+}
+
+/// By link, the largest offset of a joint, position of a center of mass and radius of gyration of
+/// all others; 0 where there is no other body.
+std::vector<Real> lengths_elsewhere(const std::vector<model::Inertia>& bodies, const Real& offset) {
+  const std::vector<Real> own = transformed<Real>(bodies, [](const model::Inertia& body) {
+    return body.mass == 0 ? Real(-1) : std::max(norm(body.com), radius_of_gyration(body));
+  });
+  std::array<Real, 2> largest = {-1, -1};
+  for (const Real& length : own) {
+    if (length > largest[1]) {
+      largest[1] = length;
+    }
+    if (largest[1] > largest[0]) {
+      std::swap(largest[0], largest[1]);
+    }
+  }
+  return transformed<Real>(own, [&](const Real& length) {
+    const Real& others = length == largest[0] ? largest[1] : largest[0];
+    return others < 0 ? Real(0) : std::max(offset, others);
+  });
+}
+
+}  // namespace
+
+void Doubts::of_angles(const Vector3& rpy, const Numbers& written, const std::string& what) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (abs(rpy[k]) > 2 * pi() * Real("1.000001")) {
+      findings_.push_back({location(raw_, written.values[k].where),
+                           fmt::format("{} {} is beyond 2 pi; angles are in radians", what,
+                                       shown(written.values[k].text))});
+    }
+  }
+}
+
+void Doubts::of_limits(const RawJoint& joint, const std::string& name,
+                       const model::Limits& limits) {
+  const auto find = [&](const Text& text, const char* which, const char* fault) {
+    findings_.push_back({location(raw_, text.where),
+                         fmt::format("{}: {} limit {} {}", name, which, shown(text.text), fault)});
+  };
+  if (limits.velocity && *limits.velocity < 0) {
+    find(*joint.limits.velocity, "velocity", "is negative; it bounds a size");
+  }
+  if (limits.effort && *limits.effort < 0) {
+    find(*joint.limits.effort, "effort", "is negative; it bounds a size");
+  }
+  const auto find_degrees = [&](const std::optional<Real>& angle, const std::optional<Text>& text,
+                                const char* which) {
+    if (angle && abs(*angle) >= 60 && abs(*angle) <= 360 && *angle == floor(*angle)) {
+      find(*text, which, "looks like degrees; angles are in radians");
+    }
+  };
+  if (joint.type.text == "revolute") {
+    find_degrees(limits.lower, joint.limits.lower, "lower");
+    find_degrees(limits.upper, joint.limits.upper, "upper");
+  }
+  if (limits.lower && limits.lower == limits.upper && joint.type.text != "continuous") {
+    findings_.push_back(
+        {location(raw_, joint.limits.lower->where),
+         fmt::format("{}: lower and upper limit are both {}, which leaves it one position", name,
+                     shown(joint.limits.lower->text))});
+  }
+}
+
+void Doubts::of_inertia(const RawLink& link, const model::Inertia& body, const Real& others) {
+  const Real radius = radius_of_gyration(body);
+  const Real com = norm(body.com);
+  std::string fault;
+  if (body.mass != 0 && link.inertia->tensor && body.about_com == Matrix3{}) {
+    fault = "has a mass, and zeros for its inertia";
+  } else if (body.mass == 0 && body.about_com != Matrix3{}) {
+    fault = "has an inertia, but no mass";
+  } else if (others > 0 && std::max(radius, com) > kOtherUnits * others) {
+    fault = fmt::format(
+        "has a radius of gyration of {} m and its center of mass at {} m, beside lengths of up to "
+        "{} "
+        "m elsewhere; lengths are in m, masses in kg",
+        radius.str(3), com.str(3), others.str(3));
+  }
+  if (!fault.empty()) {
+    findings_.push_back(
+        {location(raw_, link.where), fmt::format("link '{}' {}", shown(link.name.text), fault)});
+  }
+}
+
+void Doubts::of_inertias(const std::vector<model::Inertia>& bodies, const Real& offset) {
+  const std::vector<Real> elsewhere = lengths_elsewhere(bodies, offset);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    of_inertia(raw_.links[k], bodies[k], elsewhere[k]);
+  }
+}
+
+}  // namespace treedyn::description
