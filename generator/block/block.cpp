@@ -30,10 +30,11 @@ std::string to_string(const Side& side) {
   return size.empty() ? "1" : size;
 }
 
-[[noreturn]] void misfit(const char* operation, const Expression& a, const Expression& b) {
-  throw std::logic_error(fmt::format("{} of {} ({}) and {} ({}) does not conform", operation,
-                                     print(a), to_string(a.shape()), print(b),
-                                     to_string(b.shape())));
+[[noreturn]] void misfit(const char* operation, const Expression& a, const Expression& b,
+                         const char* expected) {
+  throw std::logic_error(fmt::format("{} of {} ({}) and {} ({}) does not conform; expected {}",
+                                     operation, print(a), to_string(a.shape()), print(b),
+                                     to_string(b.shape()), expected));
 }
 
 /// True for 1x1 blocks, which the size rule may turn into 3x3 blocks.
@@ -55,7 +56,7 @@ Shape sum_shape(const Expression& a, const Expression& b) {
   if (scalar_blocks(b.shape()) && kronecker(b.shape()) == a.shape()) {
     return a.shape();
   }
-  misfit("sum", a, b);
+  misfit("sum", a, b, "equal shapes");
 }
 
 Shape product_shape(const Expression& a, const Expression& b) {
@@ -69,7 +70,7 @@ Shape product_shape(const Expression& a, const Expression& b) {
     }
   }
   if (x.cols != y.rows) {
-    misfit("product", a, b);
+    misfit("product", a, b, "as many rows of the second as the first has columns");
   }
   return {.rows = x.rows, .cols = y.cols};
 }

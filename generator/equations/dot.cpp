@@ -53,7 +53,7 @@ Rate of_leaf(const Expression& e, const Rates& rates) {
   }
   const auto found = known_rates().find(name);
   if (found == known_rates().end()) {
-    throw NoRate("the rate of " + name + " is not known");
+    throw NoRate("the rate of " + name + " is not known; expected what q and qd decide");
   }
   return found->second;
 }

@@ -152,7 +152,7 @@ Expression Reading::reciprocal(const Expression& e) {
   std::ranges::transform(tree_.links, std::back_inserter(masses),
                          [](const model::Link& link) { return link.inertia.mass; });
   if (number_of_tree<Real>(made, e, index_of(tree_, points_), masses, std::identity()) == 0) {
-    throw std::runtime_error("divides by zero");
+    throw std::runtime_error("divides by zero; expected a divisor that is not zero");
   }
   Units units = units_.of(e);
   const Unit unit = units[0][0].value_or(Unit{});

@@ -162,7 +162,7 @@ class Parser : public Grammar<Term> {
                       placed(offset, [&] { return scope_.reciprocal(std::get<Expression>(b)); }));
     }
     if (std::get<Number>(b).value == 0) {
-      fail(offset, "divides by zero");
+      fail(offset, "divides by zero; expected a divisor that is not zero");
     }
     return multiply(
         offset, a, in_range(offset, operated('/', Number{1, block::Ratio{}}, std::get<Number>(b))));

@@ -54,7 +54,8 @@ std::optional<Unit> sum(const std::optional<Unit>& a, const std::optional<Unit>&
   if (a->any) {
     return b;
   }
-  throw UnitError(fmt::format("adds {} to {}", to_string(*b), to_string(*a)));
+  throw UnitError(
+      fmt::format("adds {} to {}; expected terms of one unit", to_string(*b), to_string(*a)));
 }
 
 Units sum(const Units& a, const Units& b) {

@@ -179,7 +179,9 @@ Term Reader::name(const std::string& name, const model::EquationText& text, Read
 /// Another equation, whose inputs become those of the function.
 Expression Reader::used(const model::EquationText& other, Reading& reading) {
   if (std::ranges::find(open_, &other) != open_.end()) {
-    throw std::runtime_error(fmt::format("equation '{}' uses itself", shown(other.name)));
+    throw std::runtime_error(
+        fmt::format("equation '{}' uses itself; expected symbols, inputs and other equations",
+                    shown(other.name)));
   }
   if (open_.size() > kMostNestedUses || ++uses_ > kMostUses) {
     const model::EquationText& read = *open_.front();

@@ -45,17 +45,22 @@ TEST(Sum, TakesKroneckerProductOfScalarBlocksWhereVectorsStand) {
 }
 
 TEST(Product, RejectsShapesThatDoNotConform) {
-  EXPECT_EQ(message_of([] { return z_d * J_d; }),
-            "product of z^d (3N×N) and J_c^d (3N×3N) does not conform");
+  EXPECT_EQ(
+      message_of([] { return z_d * J_d; }),
+      "product of z^d (3N×N) and J_c^d (3N×3N) does not conform; expected as many rows of the "
+      "second as the first has columns");
 }
 
 TEST(Product, RejectsLinksWherePointsStand) {
-  EXPECT_EQ(message_of([] { return D * t_d; }),
-            "product of D (N×N) and t^d (3P×P) does not conform");
+  EXPECT_EQ(
+      message_of([] { return D * t_d; }),
+      "product of D (N×N) and t^d (3P×P) does not conform; expected as many rows of the second "
+      "as the first has columns");
 }
 
 TEST(Sum, RejectsShapesThatDoNotConform) {
-  EXPECT_EQ(message_of([] { return z_d + D; }), "sum of z^d (3N×N) and D (N×N) does not conform");
+  EXPECT_EQ(message_of([] { return z_d + D; }),
+            "sum of z^d (3N×N) and D (N×N) does not conform; expected equal shapes");
 }
 
 // The misprints of EQUATIONS.md 4 that "cannot be evaluated" cannot be written either.

@@ -103,7 +103,8 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
   write_file(equations, "equations:\n  - name: mixed\n    value: A * qdd + qd\n");
   const Outcome outcome = treedyn({"generate", kModel, "--equations", equations, "-o", out()});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, equations + ":3:20: equation 'mixed': adds 1/s to N m\n");
+  EXPECT_EQ(outcome.err,
+            equations + ":3:20: equation 'mixed': adds 1/s to N m; expected terms of one unit\n");
   EXPECT_FALSE(fs::exists(out()));
   for (const char* value :
        {">-\n      A * qdd +\n      qd * nothing", "|\n      A * qdd +\n\n      qd * nothing",

@@ -1,6 +1,7 @@
 // Equations of users: what is derived is what the engine evaluates, and what is wrong is refused.
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "block/print.hpp"
@@ -326,8 +327,8 @@ TEST_P(Refused, WithThePlaceAndTheReason) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(error.where().column, 12 + GetParam().column) << error.what();
-    EXPECT_NE(std::string(error.what()).find(GetParam().message), std::string::npos)
-        << error.what();
+    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
+    EXPECT_THAT(error.what(), testing::HasSubstr("; expected "));
   }
 }
 
