@@ -128,10 +128,14 @@ std::string lines_text(const derive::Derivation& derivation,
 
 std::string recursion_text(const formulate::Derived& function,
                            const std::vector<program::Cost>& costs) {
+  const std::string lines = lines_text(function.derivation, costs);
+  if (lines.empty()) {
+    return "\nrecursion: none, every value is zero\n";
+  }
   std::string result =
       "\nrecursion: D and N from the root, D^T and N^T to it; operations of these "
       "lines in link frames (those of the code: info --passes)\n" +
-      lines_text(function.derivation, costs);
+      lines;
   if (const int others = costs.back().total(); others > 0) {
     result += fmt::format("  {:>5}  angles and places of joints\n", others);
   }

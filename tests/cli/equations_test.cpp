@@ -341,6 +341,13 @@ TEST_F(Cli, ShowsTheRatesOfSymbols) {
   EXPECT_THAT(outcome.out, HasSubstr("\n       dot(z^d) = Λ(diagb("));
 }
 
+TEST_F(Cli, SaysThatAnEquationOfZerosHasNoRecursion) {
+  const std::string equations = scratch("zeros.yaml");
+  write_file(equations, "equations:\n  - {name: zeros, value: qd - qd}\n");
+  EXPECT_THAT(treedyn({"info", kModel, "--equations", equations, "--derivation", "zeros"}).out,
+              HasSubstr("\nrecursion: none, every value is zero\n"));
+}
+
 TEST_F(Cli, ShowsHowCodeComesAbout) {
   const Outcome outcome = treedyn({"info", kModel, "--derivation", "bias_force"});
   EXPECT_EQ(outcome.status, 0);
