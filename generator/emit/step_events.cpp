@@ -59,7 +59,9 @@ Lines EventWriter::motion() const {
             fmt::format("{}Scalar* anchor;", stepper_.anchors.empty() ? "const " : ""));
   append_if(lines, stepper_.takes_derived, fmt::format("const {}* derived;", kDerivedParameters));
   append_if(lines, stepper_.switches(), "int which;  // phase");
-  append_if(lines, counts(), "int steps;  // that the phase has lasted when the step begins");
+  append_if(lines, counts(),
+            fmt::format("int steps;  // that the phase has lasted when the step begins{}",
+                        stepper_.begun ? "" : "; -1: it begins at its end"));
   append_if(lines, stepper_.begun, "Scalar begun;  // s, before them");
   return lines;
 }
@@ -233,6 +235,8 @@ Lines EventWriter::turn_lines() const {
   const bool clocks = counts() && stepper_.cuts > 0;
   Lines inner = {"if (!(from.at < h)) {", "  break;", "}"};
   inner.push_back(clocks ? "to.at = last ? h : next_clock(motion, from.at);" : "to.at = h;");
+  append_if(inner, clocks && stepper_.has_times(),
+            "failed |= last && !(due(motion, h) < 0) ? status::event_missed : 0;");
   inner.emplace_back("advance(motion, from, to);");
   if (stepper_.rows > 0) {
     append(inner,
@@ -276,7 +280,7 @@ Lines EventWriter::begin_lines() const {
   if (stepper_.compensated) {
     append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  from.rest[i] = rest[i];", "}"});
   }
-  append_if(lines, counts(), "bool changed = false;");
+  append_if(lines, stepper_.begun, "bool changed = false;");
   return lines;
 }
 
@@ -286,23 +290,26 @@ Lines EventWriter::end_lines() const {
     append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  rest_next[i] = from.rest[i];", "}"});
   }
   append_if(lines, stepper_.switches(), "phase_next[0] = motion.which;");
-  append_if(lines, counts(),
-            fmt::format("steps_next[0] = changed ? 0 : steps[0] < {0} ? steps[0] + 1 : {0};",
-                        stepper_.counted));
   if (stepper_.begun) {
-    append(lines, {"begun_next[0] = changed ? h + motion.begun : begun[0];",
+    append(lines, {fmt::format("steps_next[0] = changed ? 0 : steps[0] < {0} ? steps[0] + 1 : {0};",
+                               stepper_.counted),
+                   "begun_next[0] = changed ? h + motion.begun : begun[0];",
                    "if (changed && !(begun_next[0] < h)) {  // a whole step",
                    "  steps_next[0] = 1;", "  begun_next[0] = Scalar(0);", "}"});
+  } else if (counts()) {
+    lines.push_back(fmt::format("steps_next[0] = motion.steps < {0} ? motion.steps + 1 : {0};",
+                                stepper_.counted));
   }
   return lines;
 }
 
 std::string EventWriter::turns() const {
   Lines restart;
-  if (counts()) {
-    restart = {"changed = true;", "motion.steps = 0;"};
+  if (stepper_.begun) {
+    restart = {"changed = true;", "motion.steps = 0;", "motion.begun = -from.at;"};
+  } else if (counts()) {
+    restart = {"motion.steps = from.at < h ? 0 : -1;"};
   }
-  append_if(restart, stepper_.begun, "motion.begun = -from.at;");
   if (counts() && goes_on()) {
     Lines lines = {"if (kBegins[event]) {"};
     append(lines, restart, "  ");

@@ -238,23 +238,60 @@ TEST(PhaseStep, BeginsInTheMiddleOfAPhase) {
   EXPECT_NEAR(next.at(0), -5 * 0.01 * 0.01, 1e-15);
 }
 
-TEST(PhaseStep, CountsStepsForEventsInTime) {
+/// The phases of eight steps of 0.1 s; the first phase lasts `first`, the other one `second`.
+std::vector<int> phases_of(const std::string& first, const std::string& second,
+                           const std::string& stepping) {
   const BallCode scene(
       "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: hold, point: tip, along: "
       "[z]}]\n"
-      "phases:\n  - {name: wait, active: [hold], until: [{time: 0.3, then: fall}]}\n"
-      "  - {name: fall, active: [], until: [{time: 0.2, then: wait}]}\n"
-      "duration: 1\nstepping: {integrator: rk4, step: 0.1}\n");
+      "phases:\n  - {name: wait, active: [hold], until: [{time: " +
+      first +
+      ", then: fall}]}\n"
+      "  - {name: fall, active: [], until: [{time: " +
+      second + ", then: wait}]}\nduration: 1\nstepping: {integrator: rk4, step: 0.1" + stepping +
+      "}\n");
   Vector phase = {0};
   Vector steps = {0};
   std::vector<int> phases;
   for (int k = 0; k < 8; ++k) {  // whole steps: no part of one is handed on
-    const Vector next = scene.code().call("step", {{0}, {0}, {0}, phase, steps});
-    phase = {next.at(3)};
-    steps = {next.at(4)};
+    const Measurement next = scene.code().measure("step", {{0}, {0}, {0}, phase, steps});
+    EXPECT_EQ(next.status, 0) << "step " << k;
+    phase = {next.values.at(3)};
+    steps = {next.values.at(4)};
     phases.push_back(static_cast<int>(phase[0]));
   }
-  EXPECT_EQ(phases, (std::vector<int>{0, 0, 1, 1, 0, 0, 0, 1}));
+  return phases;
+}
+
+TEST(PhaseStep, CountsStepsForEventsInTime) {
+  for (const std::string stepping : {"", ", cuts: 0"}) {
+    EXPECT_EQ(phases_of("0.3", "0.2", stepping), (std::vector<int>{0, 0, 1, 1, 0, 0, 0, 1}));
+    EXPECT_EQ(phases_of("0.1", "0.3", stepping), (std::vector<int>{1, 1, 1, 0, 1, 1, 1, 0}));
+    EXPECT_EQ(phases_of("0.2", "0.1", stepping), (std::vector<int>{0, 1, 0, 0, 1, 0, 0, 1}));
+    EXPECT_EQ(phases_of("0.1", "0.1", stepping), (std::vector<int>{1, 0, 1, 0, 1, 0, 1, 0}));
+  }
+}
+
+/// Behind a touch-down after 5 ms both phases of 2 ms end within the step: three events.
+TEST(PhaseStep, SaysThatItsLastPartPassesATime) {
+  const auto measured = [](const std::string& stepping) {
+    return BallCode(
+               "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: floor, point: tip, "
+               "along: [z]}]\nphases:\n  - {name: fall, until: [{touch_down: {point: tip}, impact: "
+               "{constraints: [floor]}, then: first}]}\n"
+               "  - {name: first, active: [floor], until: [{time: 0.002, then: second}]}\n"
+               "  - {name: second, active: [floor], until: [{time: 0.002, then: rest}]}\n"
+               "  - {name: rest, active: [floor]}\n"
+               "duration: 1\nstepping: {integrator: rk4, step: 0.02" +
+               stepping + "}\n")
+        .code()
+        .measure("step", {{0.005}, {-1}, {0}, {0}, {0}, {0}});
+  };
+  constexpr int kMissed = 8;
+  EXPECT_EQ(measured("").status, kMissed);
+  const Measurement all = measured(", events: 5");
+  EXPECT_EQ(all.status, 0);
+  EXPECT_EQ(all.values.at(3), 3);
 }
 
 TEST(PhaseStep, SaysThatAGuardIsUndefined) {
