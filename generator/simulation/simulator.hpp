@@ -166,6 +166,7 @@ class Simulator {
   double slope_of(const Watch& watch, const Vector& y);
   void strike_expression(const Watch& watch);
   void refuse_small_rebounds(const Watch& watch, double t, const Vector& y);
+  bool is_still_to_come(const Watch& watch, const Watch* same);
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);
   std::optional<Crossing> first_crossing(double h);

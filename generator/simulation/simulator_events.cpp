@@ -24,6 +24,8 @@ using Kind = Watch::Kind;
 /// instant is: a part of the time, or s.
 constexpr int kMaxPile = 100;
 constexpr double kPile = 1e-10;
+/// How far apart events of one instant may be found, a part of the time, or s.
+constexpr double kSameInstant = 1e-12;
 
 Kind kind_of(model::EventKind kind) {
   switch (kind) {
@@ -70,10 +72,26 @@ void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size
   }
   watch.side = watch.side_of(system_, t_, y_);
   const auto same = std::ranges::find_if(before, [&](const Watch& w) {
-    return kind == Kind::kContact && w.kind == kind && w.index == index;
+    return kind == Kind::kContact ? w.kind == kind && w.index == index : watch.looks_at_what(w);
   });
-  watch.side = same == before.end() ? watch.side : same->side;
+  if (kind == Kind::kContact) {
+    watch.side = same == before.end() ? watch.side : same->side;
+  } else if (watch.side < 0 && is_still_to_come(watch, same == before.end() ? nullptr : &*same)) {
+    watch.side = 1;
+  }
   watches_.push_back(watch);
+}
+
+/// What is on the plane, or a rounding below zero, was above until now: another event of the same
+/// instant came first, or the motion begins.
+bool Simulator::is_still_to_come(const Watch& watch, const Watch* same) {
+  if (!watch.armed || (watch.kind != Kind::kEvent && watch.kind != Kind::kExpression)) {
+    return false;
+  }
+  const double value = watch.value(system_, t_, y_);
+  const bool begins = events_.empty() && !(t_ > start_);
+  return begins ? value >= 0
+                : same != nullptr && same->before > 0 && !same->fired && value > -kOnPlane;
 }
 
 /// The impact of a touch-down, or what begins to hold behind it, stops its point.
@@ -159,6 +177,7 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
 void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first) {
   Watch& watch = watches_[k];
   watch.next_side = watch.side;
+  watch.before = watch.armed ? watch.side : 0;
   const double from = watch.armed ? 0 : (watch.until - t_) / h;
   if (from > 1) {
     return;
@@ -191,7 +210,10 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
         continue;
       }
       watch.next_side = side;
-      if (!first || at < first->step) {
+      // what stops at zero does not fall through it
+      const bool stops =
+          watch.kind == Kind::kSlip && first && watches_[first->watch].kind == Kind::kExpression;
+      if (!first || at < first->step + (stops ? kSameInstant * std::max(1.0, std::fabs(t_)) : 0)) {
         first = Crossing{k, at};
       }
       return;
@@ -272,6 +294,7 @@ void Simulator::strike_expression(const Watch& watch) {
 
 void Simulator::happen(Watch& watch) {
   guard_against_pile(watch);
+  watch.fired = true;
   switch (watch.kind) {
     case Kind::kEvent:
     case Kind::kReaction:

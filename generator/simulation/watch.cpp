@@ -31,6 +31,16 @@ double Watch::slope(System& system, const Vector& y) const {
   return (C * plane.normal()).dot(y.tail(n));
 }
 
+bool Watch::looks_at_what(const Watch& other) const {
+  if (kind != other.kind || event == nullptr) {
+    return false;
+  }
+  return kind == Kind::kEvent
+             ? point == other.point && event->plane.normal == other.event->plane.normal &&
+                   event->plane.height == other.event->plane.height
+             : kind == Kind::kExpression && event->value == other.event->value;
+}
+
 int Watch::side_of(System& system, double t, const Vector& y) const {
   if (kind == Kind::kReaction) {
     return 1;

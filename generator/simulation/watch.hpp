@@ -7,7 +7,8 @@
 
 namespace treedyn::simulation {
 
-/// Below this a height counts as zero and its rate decides the side, m.
+/// Below this a height counts as zero and its rate decides the side, m; what is so little below
+/// zero where another event happens has its own there.
 inline constexpr double kOnPlane = 1e-10;
 /// Below this its rate counts as zero, m/s: a point that was held there until now.
 inline constexpr double kAtRest = 1e-10;
@@ -37,6 +38,8 @@ struct Watch {
   double until = -std::numeric_limits<double>::infinity();
   bool armed = true;  ///< `until` is over, `side` is that of now
   int next_side = 0;  ///< at the end of the step
+  int before = 0;     ///< `side` at the beginning of the step; 0: it was not looked at there
+  bool fired = false;
 
   /// The function in a state y = (q; qd).
   double value(System& system, double t, const Vector& y) const;
@@ -51,6 +54,8 @@ struct Watch {
   [[nodiscard]] bool ends_phase() const { return event != nullptr; }
   /// The side on which a state is; a pull counts whenever it is seen.
   int side_of(System& system, double t, const Vector& y) const;
+  /// True if the other one has the same function, which ends a phase, of the same place.
+  [[nodiscard]] bool looks_at_what(const Watch& other) const;
 };
 
 }  // namespace treedyn::simulation

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "simulation/run_scene.hpp"
@@ -446,6 +447,82 @@ duration: 1
   ASSERT_GE(run.simulator.events().size(), 2U);
   EXPECT_NEAR(run.simulator.events()[0].time, 0.5, 1e-12);        // 5/10
   EXPECT_NEAR(run.simulator.events()[1].time, 5.0 / 6.0, 1e-10);  // 5 t - 5 t^2 = t^2
+}
+
+/// The phases that two masses, which fall without weight, pass through by these events of each.
+std::string phases_of_two(const std::string& tip, const std::string& press,
+                          const std::string& stepping) {
+  Running run(scene_of(fmt::format(
+      R"yaml(
+scene: two
+model: ../../tests/scenes/models/two_scales.yaml
+points: [{{name: a, link: tip, at: [0, 0, 0]}}, {{name: b, link: press, at: [0, 0, 0]}}]
+effects: {{}}
+phases:
+  - {{name: above, until: [{{{0}, then: tip_below}}, {{{1}, then: press_below}}]}}
+  - {{name: tip_below, until: [{{{1}, then: below}}]}}
+  - {{name: press_below, until: [{{{0}, then: below}}]}}
+  - {{name: below}}
+initial: {{q: {{tip: 1, press: 1}}, qd: {{tip: -1, press: -1}}}}
+duration: 2
+stepping: {{{2}}}
+)yaml",
+      tip, press, stepping)));
+  run.advance_to(2);
+  std::string phases;
+  for (const EventRecord& event : run.simulator.events()) {
+    EXPECT_NEAR(event.time, 1, 1e-9);
+    phases += run.scene.phases[static_cast<std::size_t>(event.then)].name + " ";
+  }
+  return phases;
+}
+
+TEST(Events, OfOneInstantHappenOneBehindTheOther) {
+  for (const std::string stepping : {"integrator: fehlberg78", "integrator: rk4, step: 0.01",
+                                     "integrator: semi-implicit-euler, step: 0.007"}) {
+    SCOPED_TRACE(stepping);
+    const auto both = testing::AnyOf("tip_below below ", "press_below below ");
+    EXPECT_THAT(phases_of_two("touch_down: {point: a}", "touch_down: {point: b}", stepping), both);
+    EXPECT_THAT(phases_of_two("expression: \"q[tip]\"", "expression: \"q[press]\"", stepping),
+                both);
+    EXPECT_THAT(phases_of_two("expression: \"q[tip]\"", "expression: \"1 - t\"", stepping), both);
+  }
+}
+
+/// It stops by friction: its speed reaches zero and falls through it in the steps alone.
+TEST(Events, AreNoneOfTheSpeedOfAJointThatSticks) {
+  for (const std::string stepping :
+       {"integrator: fehlberg78", "integrator: dopri5", "integrator: rk4, step: 0.01",
+        "integrator: rk4, step: 0.007"}) {
+    for (const double speed : {1.0, 0.777, 1.3}) {
+      Running run(scene_of(fmt::format(
+          "scene: s\nmodel: ../../tests/scenes/models/cart_and_ball.yaml\neffects:\n"
+          "  coulomb_friction: [{{joint: x, force: 3}}]\nphases:\n"
+          "  - {{name: slides, until: [{{expression: \"qd[x]\", then: stopped}}]}}\n"
+          "  - {{name: stopped}}\ninitial: {{qd: {{x: {}}}}}\nduration: 3\nstepping: {{{}}}\n",
+          speed, stepping)));
+      run.advance_to(3);
+      EXPECT_EQ(run.simulator.qd()[0], 0);
+      EXPECT_TRUE(run.simulator.events().empty()) << stepping << ", " << speed << " m/s";
+    }
+  }
+}
+
+TEST(Events, OfAPointThatBeginsOnThePlaneHappenAtOnce) {
+  const auto events = [](const char* height) {
+    Running run(scene_of(fmt::format(
+        "scene: s\nmodel: drop.model.yaml\npoints: [{{name: tip, link: ball, at: [0, 0, 0]}}]\n"
+        "effects: {{gravity: [0, 0, -10]}}\nphases:\n"
+        "  - {{name: above, until: [{{touch_down: {{point: tip}}, then: below}}]}}\n"
+        "  - {{name: below}}\ninitial: {{q: {{height: {}}}, qd: {{height: -1}}}}\nduration: 1\n",
+        height)));
+    run.advance_to(1);
+    return run.simulator.events().size();
+  };
+  EXPECT_EQ(events("0"), 1U);
+  EXPECT_EQ(events("9e-11"), 1U);
+  EXPECT_EQ(events("1e-9"), 1U);
+  EXPECT_EQ(events("-1e-12"), 0U) << "is below already";
 }
 
 /// A mass held on the floor and pulled up by 20 t: it leaves when the pull exceeds its weight.
