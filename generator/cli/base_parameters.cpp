@@ -83,11 +83,11 @@ std::string parameter_name(const model::Tree& tree, std::size_t column) {
 
 std::string base_parameters_text(const Model& model, const Request& request) {
   const model::Tree& tree = model.tree;
-  if (tree.dof() != tree.size()) {
+  if (tree.mimics() > 0) {
     throw InputError({request.model, 0, 0},
                      fmt::format("base parameters need a coordinate for every joint and {} joints "
                                  "follow others; expected --mimic independent",
-                                 tree.size() - tree.dof()));
+                                 tree.mimics()));
   }
   formulate::Options options = formulate_options(model, request);
   options.effort = 0;

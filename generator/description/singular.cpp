@@ -316,7 +316,7 @@ std::vector<Movement> free_movements(const model::Tree& tree, const std::vector<
       result.push_back(free_movement(tree, pivots, i));
     }
   }
-  if (tree.dof() == tree.size() || result.empty()) {
+  if (tree.mimics() == 0 || result.empty()) {
     return result;
   }
   result = free_reduced_movements(tree, armature);

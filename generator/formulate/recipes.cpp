@@ -54,8 +54,7 @@ const std::map<std::string_view, Freedom>& freedoms() {
 /// (1) solved for qdd.
 std::vector<Expr> build_forward_dynamics(const Task& task) {
   const Kinematics& k = task.kinematics;
-  const bool one_joint_one_coordinate = task.tree.dof() == task.tree.size();
-  if (one_joint_one_coordinate && k.variant().trunk && !k.is_from_trunk() && has_trunk(task.tree)) {
+  if (task.tree.mimics() == 0 && k.variant().trunk && !k.is_from_trunk() && has_trunk(task.tree)) {
     std::vector<Expr> tau;
     for (int i = 0; i < k.size(); ++i) {
       tau.push_back(k.of_joint(i, k.inputs().tau));
@@ -65,7 +64,7 @@ std::vector<Expr> build_forward_dynamics(const Task& task) {
     return trunk.joint_accelerations(
         build_forward_dynamics({task.tree, task.normal, task.options, seen}));
   }
-  return k.variant().articulated && one_joint_one_coordinate
+  return k.variant().articulated && task.tree.mimics() == 0
              ? build_derived(task, *derived("forward_dynamics"), Way::kToRoot)
              : build_factored(task, "forward_dynamics");
 }

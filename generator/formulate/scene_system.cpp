@@ -51,7 +51,7 @@ bool can_use_trunk(const Task& task) {
       std::ranges::none_of(scene.armatures,
                            [](const model::Armature& a) { return a.joint <= kTrunkLink; });
   return plain && task.kinematics.variant().trunk && has_trunk(task.tree) &&
-         task.tree.dof() == task.tree.size();
+         task.tree.mimics() == 0;
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ std::vector<Expr> SceneSystem::joint_velocities(const std::vector<Expr>& x) cons
 }
 
 bool can_be_articulated(const model::Scene& scene) {
-  return scene.armatures.empty() && scene.tree.dof() == scene.tree.size();
+  return scene.armatures.empty() && scene.tree.mimics() == 0;
 }
 
 std::vector<Expr> articulated_accelerations(const Task& task, const SceneForces& forces) {

@@ -127,6 +127,8 @@ struct Tree {
 
   [[nodiscard]] int size() const { return static_cast<int>(links.size()); }
   [[nodiscard]] int dof() const { return static_cast<int>(coordinates.size()); }
+  /// Joints that mimic others.
+  [[nodiscard]] int mimics() const { return size() - dof(); }
   /// True if joint i mimics another one: it has no coordinate of its own.
   [[nodiscard]] bool is_mimic(int i) const {
     const Drive& drive = drives[static_cast<std::size_t>(i)];

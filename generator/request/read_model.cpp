@@ -71,10 +71,10 @@ void check_functions(const Model& model, const Location& where) {
                                           "expected --points",
                                           name));
     }
-    if (name == "inverse_dynamics_regressor" && model.tree.dof() != model.tree.size()) {
+    if (name == "inverse_dynamics_regressor" && model.tree.mimics() > 0) {
       throw InputError(where, fmt::format("function '{}' needs a coordinate for every joint and {} "
                                           "joints follow others; expected --mimic independent",
-                                          name, model.tree.size() - model.tree.dof()));
+                                          name, model.tree.mimics()));
     }
     require_solution(model.tree, name);
   }

@@ -194,7 +194,7 @@ UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& w
     return wanted.empty() || std::ranges::find(wanted, function->equation.name) != wanted.end();
   });
   for (const auto& function : result) {
-    if (tree.dof() != tree.size()) {
+    if (tree.mimics() > 0) {
       check_mimic(function->equation);
     }
   }

@@ -98,10 +98,9 @@ Joints::Joints(const Model& model, emit::Scalar scalar)
   }
   const double rounding = kSafe * emit::pivot_rounding(tree.dof(), scalar);
   for (std::size_t k = 0; k < n; ++k) {
-    const bool alone = tree.dof() == tree.size();  // no joint leads others
     const model::Link& link = tree.moved_by(static_cast<int>(k));
     const double own = static_cast<double>(own_inertia(link)) + rotors[k];
-    safe_.push_back(alone && std::ranges::all_of(inertias_, [&](const Inertias& at) {
+    safe_.push_back(tree.mimics() == 0 && std::ranges::all_of(inertias_, [&](const Inertias& at) {
                       return own > rounding * at.whole[k];
                     }));
   }
