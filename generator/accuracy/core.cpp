@@ -1,6 +1,7 @@
 #include "accuracy/core.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace treedyn::accuracy {
 
@@ -62,7 +63,7 @@ double price(const program::Cost& cost, const Prices& of, const Build& build) {
   const double pair = build.libm ? of.libm : build.contracted ? of.fused_pair : of.pair;
   return (cost.add - fused) * of.add + (cost.mul - fused) * of.mul + fused * of.fused +
          cost.div * of.div + cost.sqrt * of.sqrt +
-         std::max(cost.sin, cost.cos) * pair / build.angles;
+         std::ceil(cost.angles / static_cast<double>(build.angles)) * pair;
 }
 
 const Precision& precision(const Core& core, const Build& build) {

@@ -47,7 +47,7 @@ std::string bound_cell(const Bound& bound) {
 /// Operations and pairs of sine and cosine, then both errors and the bound.
 Cells cells_of(const Measured& measured) {
   const program::Cost& cost = measured.cost;
-  Cells result = {fmt::format("{} + {}", cost.total(), std::max(cost.sin, cost.cos))};
+  Cells result = {fmt::format("{} + {}", cost.total(), cost.angles)};
   for (const Cells& more : {worst_cells(measured.errors.scaled, "{:.2g}"),
                             worst_cells(measured.errors.ulps, "{:.3g}")}) {
     result.insert(result.end(), more.begin(), more.end());

@@ -173,7 +173,7 @@ std::string passes_text(const Model& model, const Request& request) {
       if (rows[k + 1].empty()) {
         rows[k + 1].push_back(costs[k].pass);
       }
-      rows[k + 1].push_back(fmt::format("{} + {}", cost.total(), std::max(cost.sin, cost.cos)));
+      rows[k + 1].push_back(fmt::format("{} + {}", cost.total(), cost.angles));
     }
   }
   return fmt::format(

@@ -154,7 +154,7 @@ void exchange(Words& words, Is<KnownReference> auto& all) {
 
 template <class Words>
 void exchange(Words& words, Is<program::Cost> auto& cost) {
-  words(cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos, cost.fused);
+  words(cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos, cost.fused, cost.angles);
 }
 
 template <class Words>

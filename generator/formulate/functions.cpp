@@ -10,7 +10,7 @@ namespace treedyn::formulate {
 
 int weight(const program::Cost& cost) {
   constexpr int kOperationsOfSineAndCosine = 8;
-  return cost.total() + kOperationsOfSineAndCosine * std::max(cost.sin, cost.cos);
+  return cost.total() + kOperationsOfSineAndCosine * cost.angles;
 }
 
 void add_operation(const program::Node& node, program::Cost& cost) {

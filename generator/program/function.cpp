@@ -1,6 +1,8 @@
 #include "program/function.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 
 #include "program/limb_code.hpp"
 
@@ -42,6 +44,7 @@ std::vector<Array> Signature::arrays() const {
 Cost cost(const Graph& graph, std::span<const Ref> outputs) {
   const std::vector<Ref> nodes = reachable(graph, outputs);
   Cost result;
+  std::set<Ref> angles;
   result.fused = fused(graph, nodes, outputs);
   for (const Ref k : nodes) {
     switch (graph.node(k).kind) {
@@ -59,15 +62,18 @@ Cost cost(const Graph& graph, std::span<const Ref> outputs) {
         break;
       case Kind::kSin:
         ++result.sin;
+        angles.insert(std::abs(graph.node(k).a));
         break;
       case Kind::kCos:
         ++result.cos;
+        angles.insert(std::abs(graph.node(k).a));
         break;
       case Kind::kSqrt:
         ++result.sqrt;
         break;
     }
   }
+  result.angles = static_cast<int>(angles.size());
   return result;
 }
 
@@ -76,13 +82,13 @@ Cost cost(const Function& function) {
 }
 
 Cost operator+(const Cost& a, const Cost& b) {
-  return {a.add + b.add, a.mul + b.mul, a.div + b.div,    a.sqrt + b.sqrt,
-          a.sin + b.sin, a.cos + b.cos, a.fused + b.fused};
+  return {a.add + b.add, a.mul + b.mul, a.div + b.div,     a.sqrt + b.sqrt,
+          a.sin + b.sin, a.cos + b.cos, a.fused + b.fused, a.angles + b.angles};
 }
 
 Cost operator*(int times, const Cost& c) {
-  return {times * c.add, times * c.mul, times * c.div,  times * c.sqrt,
-          times * c.sin, times * c.cos, times * c.fused};
+  return {times * c.add, times * c.mul, times * c.div,   times * c.sqrt,
+          times * c.sin, times * c.cos, times * c.fused, times * c.angles};
 }
 
 }  // namespace treedyn::program

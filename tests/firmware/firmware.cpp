@@ -364,6 +364,7 @@ void add_counted(const Robot& robot, const std::string& core, const support::Man
       cost.sqrt = static_cast<int>(o[3]);
       cost.sin = static_cast<int>(o[4]);
       cost.cos = static_cast<int>(o[5]);
+      cost.angles = std::max(cost.sin, cost.cos);
       cost.fused = fused == nullptr ? 0 : fused->at(function.name);
       counts.push_back({core, robot.is_float, fmt::format("{} {}", robot.name, function.name), cost,
                         instructions(function.name), fused != nullptr});

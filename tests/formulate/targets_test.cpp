@@ -66,7 +66,7 @@ TEST_P(Targets, AreMetByTheDefaultOptions) {
   for (const auto& [function, limit] : limits) {
     const program::Cost cost = program::cost(formulated(tree, function, options));
     EXPECT_LE(cost.total(), limit) << function;
-    EXPECT_LE(std::max(cost.sin, cost.cos), target.pairs) << function;
+    EXPECT_LE(cost.angles, target.pairs) << function;
   }
 }
 
