@@ -1,4 +1,4 @@
-# cmake --install: the program, the templates, the CMake package, manual page, completion, equations, interface and the licence; `cpack`,
+# cmake --install: the program, the templates, the CMake package, manual page, completion, documents, models and the licence; `cpack`,
 # with dpkg-dev, packs the same as a Debian package.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -28,8 +28,17 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/treedynConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/treedynConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/templates/treedynFunctions.cmake DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/treedyn/templates)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/equations/EQUATIONS.md
-              ${CMAKE_CURRENT_SOURCE_DIR}/cli/INTERFACE.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# On their paths of the source tree, so that links between them lead somewhere.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/data/hard_cases DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/data)
+foreach(document IN ITEMS
+        generator/cli/INTERFACE.md generator/equations/EQUATIONS.md generator/accuracy/core.cpp
+        generator/emit/taken_names.cpp generated/README.md templates/treedynFunctions.cmake
+        tests/benchmark/results/firmware.md tests/benchmark/results/lanes.md)
+  cmake_path(GET document PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${document} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "treedyn maintainers")
