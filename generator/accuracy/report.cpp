@@ -318,15 +318,24 @@ std::string refusal_text(const Study& study, const Core& core, double target) {
 }
 
 /// How much more than float at its best it costs, where float does not do.
-std::string factor_text(const Study& study, const Core& core, const Outcome& chosen) {
-  const std::optional<Floor> best = floor_of(study, State::kFloat);
+std::string factor_text(const Study& study, const Core& core, const Outcome& chosen,
+                        double target) {
+  std::optional<Floor> best = floor_of(study, State::kFloat);
+  if (const auto other = floor_of(study, State::kCompensated);
+      other && (!best || other->error < best->error)) {
+    best = other;
+  }
   if (chosen.setting.state != State::kDouble || !best) {
     return "";
   }
   const auto of_float = std::ranges::find(study.outcomes, best->setting, &Outcome::setting);
-  return fmt::format(", {:.3g} times those of {}, whose {:.1e} is the best of float",
+  return fmt::format(", {:.3g} times those of {}, whose {:.1e} is the best of float{}",
                      chosen.cycles_per_second(core) / of_float->cycles_per_second(core),
-                     text_of(best->setting), best->error);
+                     text_of(best->setting), best->error,
+                     best->error > target
+                         ? ""
+                         : fmt::format(" ({:.1e} for 19 of 20 other initial states)",
+                                       of_float->expected(study.error)));
 }
 
 }  // namespace
@@ -358,7 +367,7 @@ std::string choice_text(const Study& study, const Core& core, double target) {
       "motion{}{}{}\n",
       target, core.name, limits_text(study.limits), text_of(outcome.setting),
       outcome.error(study.error), others, outcome.step_cost().total(), cycles,
-      in_period + in_dearest, factor_text(study, core, outcome), size_text(outcome, core));
+      in_period + in_dearest, factor_text(study, core, outcome, target), size_text(outcome, core));
 }
 
 }  // namespace treedyn::accuracy

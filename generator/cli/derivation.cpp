@@ -1,6 +1,8 @@
 // How the code of a function comes about, as text.
 #include <algorithm>
 #include <map>
+#include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -116,9 +118,9 @@ std::string with_rules(const derive::Line& line) {
 }
 
 std::string lines_text(const derive::Derivation& derivation,
-                       const std::vector<program::Cost>& costs) {
+                       const std::vector<program::Cost>& costs, const std::string& name = {}) {
   std::string result;
-  for (const derive::Line& line : derive::lines(derivation)) {
+  for (const derive::Line& line : derive::lines(derivation, name)) {
     const std::string cost =
         costs.empty() ? "" : fmt::to_string(costs[static_cast<std::size_t>(line.id)].total());
     result += fmt::format("  {:>5}  {}\n", cost, with_rules(line));
@@ -127,8 +129,8 @@ std::string lines_text(const derive::Derivation& derivation,
 }
 
 std::string recursion_text(const formulate::Derived& function,
-                           const std::vector<program::Cost>& costs) {
-  const std::string lines = lines_text(function.derivation, costs);
+                           const std::vector<program::Cost>& costs, const std::string& name) {
+  const std::string lines = lines_text(function.derivation, costs, name);
   if (lines.empty()) {
     return "\nrecursion: none, every value is zero\n";
   }
@@ -156,11 +158,45 @@ bool is_rate(const formulate::Derived& function) {
   return function.derivation.values.acted().contains(derive::Rule::kValueRates);
 }
 
-std::string derived_text(const Model& model, const Request& request, const Derived& function) {
+/// \param name  of the result; empty: it is one of the lines
+std::string derived_text(const Model& model, const Request& request, const Derived& function,
+                         const std::string& name = {}) {
   return rules_text(function->derivation.values.acted(),
                     is_rate(*function) ? Rates{} : function->equation.rates) +
-         recursion_text(*function, formulate::costs_of_values(model.tree, function,
-                                                              formulate_options(model, request)));
+         recursion_text(
+             *function,
+             formulate::costs_of_values(model.tree, function, formulate_options(model, request)),
+             name);
+}
+
+/// Where λ comes from: its K and b are what the derivation of R12'' leaves.
+std::string reactions_text(const derive::Derivation& derivation) {
+  const int b = derivation.roots[1];
+  std::string name = derivation.values[b].name;
+  for (const derive::Line& line : derive::lines(derivation)) {
+    if (line.id == b) {
+      name = line.text.substr(0, line.text.find(" = "));
+    }
+  }
+  return fmt::format("         λ of K λ = {}  <- {}\n", name,
+                     derive::row_of(derive::Rule::kReactions).name);
+}
+
+/// Of the equations in it, in their order.
+std::string errata_of(const formulate::FactoredFunction& function) {
+  std::set<std::pair<std::size_t, std::string>> all;
+  for (const auto& [leaf, of] : function.given) {
+    const equations::Equation* const equation = equations::find(of->equation.name);
+    std::istringstream words(std::string(equation != nullptr ? equation->errata : ""));
+    for (std::string word; words >> word;) {
+      all.emplace(word.size(), word);
+    }
+  }
+  std::string result;
+  for (const auto& [size, word] : all) {
+    result += (result.empty() ? "" : " ") + word;
+  }
+  return result;
 }
 
 /// \param costs  empty: of rows, whose number a scene decides
@@ -168,7 +204,10 @@ std::string factored_text(const Model& model, const Request& request,
                           const formulate::FactoredFunction& function,
                           const std::vector<program::Cost>& costs) {
   std::string result = "\nnumbers of joints" + rules_text(function.derivation.values.acted()) +
-                       "\nrecursion, row by row\n" + lines_text(function.derivation, costs);
+                       "\nrecursion, row by row\n" + lines_text(function.derivation, costs) +
+                       (function.derivation.values.acted().contains(derive::Rule::kReactions)
+                            ? reactions_text(function.derivation)
+                            : "");
   for (const auto& [leaf, of] : function.given) {
     const std::string text = block::print(of->equation.expression);
     result += fmt::format("\n{}\n{}", text == leaf ? leaf : fmt::format("{} = {}", leaf, text),
@@ -199,7 +238,7 @@ struct Ways {
 };
 
 Ways ways_of(const model::Tree& tree, const Request& request, const std::string& name) {
-  const bool two = formulate::recipe_of(name).freedom.articulated && tree.dof() == tree.size();
+  const bool two = formulate::recipe_of(name).freedom.articulated && tree.mimics() == 0;
   const formulate::ForwardDynamics asked = request.forward_dynamics;
   return {two && asked != formulate::ForwardDynamics::kFactor,
           !two || asked != formulate::ForwardDynamics::kArticulated,
@@ -219,7 +258,8 @@ std::string solved_text(const Model& model, const Request& request, const std::s
         "less (--forward-dynamics)\n";
   }
   if (ways.articulated) {
-    result += "\nby articulated bodies\n" + derived_text(model, request, formulate::derived(name));
+    result +=
+        "\nby articulated bodies\n" + derived_text(model, request, formulate::derived(name), "q̈");
   }
   if (ways.factor) {
     result += (ways.articulated ? "\nby the factor of A\n" : "") +
@@ -239,15 +279,18 @@ std::string scene_text(const Model& model, const Request& request, const std::st
                     shown(name), fmt::join(scene_functions(), ", ")));
   }
   const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
+  const formulate::FactoredFunction& function = formulate::factored(name);
   const bool solved = info.equations.size() > 1;
+  const std::string errata = errata_of(function);
   std::string result =
-      fmt::format("{}: equation {}{}\n", name, info.equation,
-                  solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string()) +
+      fmt::format("{}: equation {}{}{}\n", name, info.equation,
+                  solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string(),
+                  errata.empty() ? "" : "; errata of the print mended: " + errata) +
       definitions(info.equations);
   if (solved && formulate::has_trunk(model.tree)) {
     result += "\nwhere a scene acts on no link above it" + trunk_text(model, request);
   }
-  return result + factored_text(model, request, formulate::factored(name), {});
+  return result + factored_text(model, request, function, {});
 }
 
 }  // namespace

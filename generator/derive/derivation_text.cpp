@@ -79,9 +79,13 @@ void add_composite_names(const Values& values, const std::vector<int>& needed, N
 
 class Printer {
  public:
-  Printer(const Values& values, const std::vector<int>& roots)
+  /// \param result  the name of the one root; empty: one like the others
+  Printer(const Values& values, const std::vector<int>& roots, const std::string& result)
       : values_(values), needed_(values.needed(roots)) {
     add_own_names();
+    if (!result.empty() && roots.size() == 1 && taken_.insert(result).second) {
+      names_.emplace(roots.front(), result);
+    }
     add_field_names();
   }
 
@@ -163,13 +167,14 @@ class Printer {
       case Op::kOnes:
         return "1";
       case Op::kIdentity:
-        return "E";
+        return "E_3";  // E is the pseudo-inertia
       case Op::kZero:
         return "0";
       case Op::kUnit:
         return "e_j";
       default:
-        return value.name;
+        return value.name.find('-') == std::string::npos ? value.name
+                                                         : fmt::format("({})", value.name);
     }
   }
 
@@ -317,8 +322,8 @@ class Printer {
 
 }  // namespace
 
-std::vector<Line> lines(const Derivation& derivation) {
-  return Printer(derivation.values, derivation.roots).run();
+std::vector<Line> lines(const Derivation& derivation, const std::string& result) {
+  return Printer(derivation.values, derivation.roots, result).run();
 }
 
 }  // namespace treedyn::derive

@@ -17,6 +17,7 @@ struct Line {
 };
 
 /// The recursion of a derivation, operands before their users.
-std::vector<Line> lines(const Derivation& derivation);
+/// \param result  the name of its one result; empty: it gets one like other values
+std::vector<Line> lines(const Derivation& derivation, const std::string& result = {});
 
 }  // namespace treedyn::derive

@@ -25,7 +25,7 @@ const std::vector<Row>& rows() {
       {"m_d", m_d},
       {"qd_d", qd_d},
       {"z_d", z_d},
-      {"s_d", named("s^d", s_d * block::diagb(Pi * ones))},  // E9: 0 for links on the base
+      {"s_d", named("s_0^d", s_d * block::diagb(Pi * ones))},  // E9: 0 for links on the base
       {"l_d", l_d},
       {"c_d", centres_of_mass().t_d},
       {"J_d", J_d},
