@@ -17,6 +17,14 @@ namespace {
 /// Lengths in mm are a thousandfold, radii of gyration of kg mm^2 too: a body reaches, and its
 /// center of mass lies, within a hundredfold of the largest of all other lengths.
 constexpr int kOtherUnits = 100;
+/// Where all lengths of a kind may be wrong: radii of gyration beside distances.
+constexpr int kOtherRadius = 30;
+/// m; distances below it are not held against radii of gyration. Loads of cranes hang on ropes.
+constexpr int kLong = 20;
+/// Of mass / radius of gyration^3, kg/m^3, which is up to 9 times the density: 1e3 .. 1e5 of most
+/// bodies, a 1e-9th of that with kg mm^2. Air has 1.2.
+constexpr double kThin = 1e-2;
+constexpr double kVeryThin = 1e-3;  ///< with nothing to compare with
 
 /// m; 0 without a mass.
 Real radius_of_gyration(const model::Inertia& body) {
@@ -25,14 +33,14 @@ Real radius_of_gyration(const model::Inertia& body) {
   return body.mass > 0 && trace > 0 ? Real(sqrt(trace / (2 * body.mass))) : Real(0);
 }
 
-/// By link, the largest offset of a joint, position of a center of mass and radius of gyration of
-/// all others; 0 where there is no other body.
-std::vector<Real> lengths_elsewhere(const std::vector<model::Inertia>& bodies, const Real& offset) {
-  const std::vector<Real> own = transformed<Real>(bodies, [](const model::Inertia& body) {
-    return body.mass == 0 ? Real(-1) : std::max(norm(body.com), radius_of_gyration(body));
-  });
+bool thinner(double density, const Real& mass, const Real& radius) {
+  return radius > 0 && mass < density * radius * radius * radius;
+}
+
+/// -1 where there is none.
+std::array<Real, 2> largest_two(const std::vector<Real>& lengths) {
   std::array<Real, 2> largest = {-1, -1};
-  for (const Real& length : own) {
+  for (const Real& length : lengths) {
     if (length > largest[1]) {
       largest[1] = length;
     }
@@ -40,6 +48,16 @@ std::vector<Real> lengths_elsewhere(const std::vector<model::Inertia>& bodies, c
       std::swap(largest[0], largest[1]);
     }
   }
+  return largest;
+}
+
+/// By link, the largest offset of a joint, position of a center of mass and radius of gyration of
+/// all others; 0 where there is no other body.
+std::vector<Real> lengths_elsewhere(const std::vector<model::Inertia>& bodies, const Real& offset) {
+  const std::vector<Real> own = transformed<Real>(bodies, [](const model::Inertia& body) {
+    return body.mass == 0 ? Real(-1) : std::max(norm(body.com), radius_of_gyration(body));
+  });
+  const std::array<Real, 2> largest = largest_two(own);
   return transformed<Real>(own, [&](const Real& length) {
     const Real& others = length == largest[0] ? largest[1] : largest[0];
     return others < 0 ? Real(0) : std::max(offset, others);
@@ -88,9 +106,34 @@ void Doubts::of_limits(const RawJoint& joint, const std::string& name,
   }
 }
 
-void Doubts::of_inertia(const RawLink& link, const model::Inertia& body, const Real& others) {
+Doubts::Scale Doubts::scale_of(const std::vector<model::Inertia>& bodies,
+                               const std::vector<Real>& offsets) {
+  std::vector<Real> distances = offsets;
+  std::vector<Real> radii;
+  bool thin = true;
+  for (const model::Inertia& body : bodies) {
+    if (body.mass > 0) {
+      distances.push_back(norm(body.com));
+    }
+    const Real radius = radius_of_gyration(body);
+    if (radius > 0) {
+      radii.push_back(thinner(kThin, body.mass, radius) ? Real(0) : radius);
+      thin = thin && thinner(kVeryThin, body.mass, radius);
+    }
+  }
+  return {largest_two(distances)[1], largest_two(radii)[0], thin};
+}
+
+/// Never where it is the only one: of a pendulum.
+bool Doubts::Scale::is_far(const Real& length) const {
+  return distance > 0 && radius > 0 && length > kLong && length > kOtherUnits * radius;
+}
+
+void Doubts::of_inertia(const RawLink& link, const model::Inertia& body, const Real& others,
+                        const Scale& scale) {
   const Real radius = radius_of_gyration(body);
   const Real com = norm(body.com);
+  const bool wide = scale.distance > 0 && radius > kOtherRadius * scale.distance;
   std::string fault;
   if (body.mass != 0 && link.inertia->tensor && body.about_com == Matrix3{}) {
     fault = "has a mass, and zeros for its inertia";
@@ -102,6 +145,15 @@ void Doubts::of_inertia(const RawLink& link, const model::Inertia& body, const R
         "{} "
         "m elsewhere; lengths are in m, masses in kg",
         radius.str(3), com.str(3), others.str(3));
+  } else if (thinner(kThin, body.mass, radius) && (wide || scale.thin)) {
+    fault = fmt::format(
+        "has a mass of {} kg and a radius of gyration of {} m, which is thinner than air; masses "
+        "are in kg, inertias in kg m^2",
+        body.mass.str(3), radius.str(3));
+  } else if (body.mass > 0 && scale.is_far(com)) {
+    fault = fmt::format(
+        "has its center of mass at {} m, beside radii of gyration of up to {} m; lengths are in m",
+        com.str(3), scale.radius.str(3));
   }
   if (!fault.empty()) {
     findings_.push_back(
@@ -109,11 +161,27 @@ void Doubts::of_inertia(const RawLink& link, const model::Inertia& body, const R
   }
 }
 
-void Doubts::of_inertias(const std::vector<model::Inertia>& bodies, const Real& offset) {
-  const std::vector<Real> elsewhere = lengths_elsewhere(bodies, offset);
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    of_inertia(raw_.links[k], bodies[k], elsewhere[k]);
+void Doubts::of_offsets(const std::vector<Real>& offsets, const Scale& scale) {
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    if (scale.is_far(offsets[k])) {
+      const RawJoint& joint = raw_.joints[k];
+      findings_.push_back(
+          {location(raw_, joint.where),
+           fmt::format("joint '{}' has an offset of {} m, beside radii of gyration of up to {} m; "
+                       "lengths are in m",
+                       shown(joint.name.text), offsets[k].str(3), scale.radius.str(3))});
+    }
   }
+}
+
+void Doubts::of_inertias(const std::vector<model::Inertia>& bodies, const Real& offset,
+                         const std::vector<Real>& offsets) {
+  const std::vector<Real> elsewhere = lengths_elsewhere(bodies, offset);
+  const Scale scale = scale_of(bodies, offsets);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    of_inertia(raw_.links[k], bodies[k], elsewhere[k], scale);
+  }
+  of_offsets(offsets, scale);
 }
 
 }  // namespace treedyn::description

@@ -20,14 +20,28 @@ class Doubts {
   /// Degrees, sizes below zero, limits that leave one position.
   void of_limits(const RawJoint& joint, const std::string& name, const model::Limits& limits);
   /// A mass with zeros for its tensor, a tensor without a mass, other units.
-  /// \param bodies  of the links of the file
-  /// \param offset  the longest of joints, m
-  void of_inertias(const std::vector<model::Inertia>& bodies, const Real& offset);
+  /// \param bodies   of the links of the file
+  /// \param offset   the longest of joint frames on the links that carry them, m
+  /// \param offsets  of the joints of the file as they are written, m; 0: on what does not move
+  void of_inertias(const std::vector<model::Inertia>& bodies, const Real& offset,
+                   const std::vector<Real>& offsets);
 
   [[nodiscard]] const std::vector<Warning>& all() const { return findings_; }
 
  private:
-  void of_inertia(const RawLink& link, const model::Inertia& body, const Real& others);
+  /// The lengths of a robot that those of one link or joint are held against, m.
+  struct Scale {
+    Real distance;  ///< the second largest offset or distance of a center of mass
+    Real radius;    ///< the largest radius of gyration of bodies that are not thin
+    bool thin;      ///< all bodies are
+    [[nodiscard]] bool is_far(const Real& length) const;
+  };
+  static Scale scale_of(const std::vector<model::Inertia>& bodies,
+                        const std::vector<Real>& offsets);
+
+  void of_inertia(const RawLink& link, const model::Inertia& body, const Real& others,
+                  const Scale& scale);
+  void of_offsets(const std::vector<Real>& offsets, const Scale& scale);
 
   const RawTree& raw_;
   std::vector<Warning> findings_;

@@ -275,7 +275,7 @@ class Resolver {
       inertias.push_back(
           resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings));
     }
-    doubts_.of_inertias(inertias, longest_offset());
+    doubts_.of_inertias(inertias, longest_offset(), written_offsets());
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const int carrier = carrier_index(placements_[k]);
       const bool moves = carrier != model::kGround;
@@ -302,6 +302,16 @@ class Resolver {
       longest = std::max(longest, norm(frame.origin));
     }
     return longest;
+  }
+
+  /// By joint of the file, its distance from the frame of its father; 0 on what does not move,
+  /// where it may be anywhere in a world.
+  [[nodiscard]] std::vector<Real> written_offsets() const {
+    return transformed<Real>(raw_.joints, [&](const RawJoint& joint) {
+      const int son = skeleton_.link_by_name.find(joint.son.text)->second;
+      const bool of_world = moving_father_[to_index(son)] == model::kGround;
+      return of_world ? Real(0) : norm(numbers_.vector(joint.pose.xyz, "offset"));
+    });
   }
 
   void add_frames() {

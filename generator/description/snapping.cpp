@@ -64,6 +64,24 @@ std::string angle_text(long k) {
                      divisor == 12 ? "" : fmt::format("/{}", 12 / divisor));
 }
 
+/// True for pi/2 as 1.57 or 1.570000, pi/4 as 0.785: a multiple k of pi/12, rounded or cut off to a
+/// few digits.
+bool has_few_digits_of(const Real& exact, long k, const Real& angle, std::string text) {
+  const Real change = abs(angle - exact);
+  if (k == 0 || change > 0.01) {
+    return false;
+  }
+  if (text.find('.') != std::string::npos && text.find_first_of("eE") == std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+  }
+  if (!read_decimal(text)) {  // but an expression
+    return false;
+  }
+  const Real half_unit = half_unit_of_last_digit(text);
+  const bool telling = half_unit < (k % 6 == 0 ? 0.0051 : 0.00051);
+  return telling && change <= (abs(angle) < abs(exact) ? 2 : 1) * half_unit;
+}
+
 /// The exact value next to `entry`.
 Exact nearest_exact(const Real& entry) {
   const Real size = abs(entry);
@@ -152,12 +170,12 @@ std::string list_text(const Numbers& written) {
 }  // namespace
 
 void Snapper::record(const Real& given, const Real& exact, const std::string& exact_text,
-                     const Text& written, const std::string& what) {
+                     const Text& written, const std::string& what, bool few_digits) {
   const Real change = abs(given - exact);
   const Place& where = written.where;
   if (change > rounding_limit() && change <= tolerance_) {
     log_.snaps.push_back({location(raw_, where), what, written.text, exact_text, change});
-  } else if (change > rounding_limit() && change <= miss_limit()) {
+  } else if (change > rounding_limit() && (change <= miss_limit() || few_digits)) {
     log_.misses.push_back(
         {location(raw_, where),
          fmt::format("{} {} is {:.3g} away from {}; not changed", what, shown(written.text),
@@ -172,7 +190,8 @@ Snapper::SinCos Snapper::sin_cos(const Real& angle, const Text& written, const s
   const Real step = pi() / 12;
   const long k = lround(Real(angle / step));
   const Real exact = Real(k) * step;
-  record(angle, exact, angle_text(k), written, what);
+  record(angle, exact, angle_text(k), written, what,
+         has_few_digits_of(exact, k, angle, written.text));
   if (abs(angle - exact) <= std::max(tolerance_, rounding_limit())) {
     return {exact_sine(k), exact_sine(k + 6)};
   }

@@ -13,7 +13,9 @@ namespace treedyn::description {
 /// What snapping did and what it nearly did.
 struct SnapLog {
   std::vector<model::Snap> snaps;
-  std::vector<Warning> misses;  ///< values farther than the tolerance, but not farther than 1e-4
+  /// Values farther than the tolerance, but not farther than 1e-4; angles that are multiples of
+  /// pi/12 but for what two or three decimals leave: 1.57, 0.785.
+  std::vector<Warning> misses;
 };
 
 /// Makes exact what is within a tolerance of an exact value: angles at multiples of pi/12, entries
@@ -49,7 +51,7 @@ class Snapper {
   std::array<Real, size> snap_entries(const std::array<Real, size>& given, const Numbers& written,
                                       const std::string& what, const Project& project);
   void record(const Real& given, const Real& exact, const std::string& exact_text,
-              const Text& written, const std::string& what);
+              const Text& written, const std::string& what, bool few_digits = false);
 
   const RawTree& raw_;
   Real tolerance_;

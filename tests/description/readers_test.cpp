@@ -325,7 +325,79 @@ TEST(Vet, FindsInertiasInOtherUnits) {
   EXPECT_THAT(bodies(own, inertial("2", "1e-10", "1 0 0")), ElementsAre()) << "a point, nearly";
   EXPECT_THAT(bodies(inertial("500", "400"), inertial("2", "0.01"), "0.005 0 0"), ElementsAre())
       << "a satellite";
-  EXPECT_THAT(bodies("", inertial("2", "1e4")), ElementsAre()) << "nothing to compare with";
+  EXPECT_THAT(bodies("", inertial("1e6", "1e10")), ElementsAre()) << "nothing to compare with";
+  EXPECT_THAT(bodies("", inertial("2", "1e4")),
+              ElementsAre(HasSubstr("link 'a' has a mass of 2 kg and a radius of gyration of 86.6 "
+                                    "m, which is thinner than air; masses are in kg, inertias in "
+                                    "kg m^2")));
+}
+
+/// Of two equal rods, the second at the end of the first.
+std::vector<std::string> of_rods(const char* length, const char* com, const char* moment) {
+  const std::string body =
+      fmt::format("mass: 2, com: [{0}, 0, 0], inertia: [1e-4*{1}, 0, 0, {1}, 0, {1}]", com, moment);
+  return findings("rods.yaml",
+                  fmt::format("name: rods\nlinks:\n- {{name: a, father: ground, joint: {{name: i, "
+                              "type: revolute, axis: [0, 1, 0], offset: [0, 0, 1000]}}, {0}}}\n"
+                              "- {{name: b, father: a, joint: {{name: j, type: revolute, axis: [0, "
+                              "1, 0], offset: [{1}, 0, 0]}}, {0}}}\n",
+                              body, length));
+}
+
+TEST(Vet, FindsOtherUnitsOfAllLinks) {
+  using testing::AllOf;
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  const auto thin = [](const char* link) {
+    return AllOf(HasSubstr(link), HasSubstr("289 m, which is thinner than air"));
+  };
+  const auto far = [](const char* where, const char* what) {
+    return AllOf(HasSubstr(where),
+                 HasSubstr(fmt::format("{}, beside radii of gyration of up to 0.289 m", what)));
+  };
+  EXPECT_THAT(of_rods("1", "0.5", "1/6"), ElementsAre()) << "in a world of 1 km";
+  EXPECT_THAT(of_rods("1", "0.5", "1e6/6"), ElementsAre(thin("'a'"), thin("'b'"))) << "kg mm^2";
+  EXPECT_THAT(of_rods("1000", "500", "1e6/6"), ElementsAre(thin("'a'"), thin("'b'")));
+  EXPECT_THAT(of_rods("1000", "0.5", "1/6"), ElementsAre(far("joint 'j'", "offset of 1e+03 m")));
+  EXPECT_THAT(of_rods("1000", "0.5", "1e6/6"), ElementsAre(thin("'a'"), thin("'b'"))) << "both";
+  EXPECT_THAT(of_rods("1000", "500", "1/6"),
+              ElementsAre(far("link 'a'", "mass at 500 m"), far("link 'b'", "mass at 500 m"),
+                          far("joint 'j'", "offset of 1e+03 m")));
+}
+
+TEST(Vet, LeavesLargeAndLightModelsAlone) {
+  using testing::ElementsAre;
+  EXPECT_THAT(of_rods("40", "20", "2*40^2/12"), ElementsAre()) << "a tether";
+  EXPECT_THAT(of_rods("25", "0.5", "1/6"), ElementsAre()) << "a hook on a rope";
+  EXPECT_THAT(of_rods("1e-3", "5e-4", "2e-6/12"), ElementsAre()) << "a micro-robot";
+  EXPECT_THAT(of_rods("1", "0.5", "1"), ElementsAre()) << "a guess";
+  EXPECT_THAT(of_rods("30", "0", "1e-9"), ElementsAre()) << "points";
+  EXPECT_THAT(findings("foucault.yaml", one_link("type: revolute, axis: [1, 0, 0]",
+                                                 "mass: 28\n  com: [0, 0, -67]\n  inertia: [0.05, "
+                                                 "0, 0, 0.05, 0, 0.05]")),
+              ElementsAre());
+}
+
+TEST(Vet, FindsAnglesOfFewDigits) {
+  using testing::ElementsAre;
+  const auto joint = [&](const std::string& angle) {
+    return findings("angle.urdf",
+                    one_joint(fmt::format("<origin rpy=\"0 {} 0\"/><axis xyz=\"0 0 1\"/>", angle),
+                              inertial("1", "1")));
+  };
+  EXPECT_THAT(joint("1.57"),
+              ElementsAre("4: joint 'j': rpy[1] 1.57 is 0.000796 away from pi/2; not changed"));
+  EXPECT_THAT(joint("-3.140000"),
+              ElementsAre("4: joint 'j': rpy[1] -3.140000 is 0.00159 away from -pi; not changed"));
+  for (const char* angle : {"1.571", "1.570", "3.14", "-3.142", "3.141", "4.71", "6.28", "0.785",
+                            "2.356", "0.524", "0.523", "-1.047"}) {
+    EXPECT_THAT(joint(angle), testing::SizeIs(1)) << angle;
+  }
+  for (const char* angle :
+       {"0",   "0.001", "0.002", "1.5",  "1.56", "1.58", "1.572", "1.569", "1.5720", "3",
+        "3.1", "3.13",  "3.15",  "0.79", "0.78", "0.26", "0.5",   "1.05",  "1.5e0",  "1.56900"}) {
+    EXPECT_THAT(joint(angle), ElementsAre()) << angle;
+  }
 }
 
 /// A joint within a link is what the two roots come from.
