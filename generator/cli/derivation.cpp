@@ -1,6 +1,7 @@
 // How the code of a function comes about, as text.
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <set>
 #include <sstream>
 
@@ -33,6 +34,31 @@ void define(const block::Expression& e, std::vector<std::string>& lines) {
       lines.push_back(line);
     }
   }
+}
+
+void collect_names(const block::Expression& e, std::set<std::string>& names) {
+  if (e.kind() == block::Kind::kNamed) {
+    names.insert(e.node().name);
+  }
+  for (const block::Expression& operand : e.operands()) {
+    collect_names(operand, names);
+  }
+}
+
+/// Of the print that what stands in `equations` mends, in their order.
+std::string errata_of(const std::vector<block::Expression>& equations) {
+  std::set<std::string> names;
+  for (const block::Expression& equation : equations) {
+    collect_names(equation, names);
+  }
+  std::set<std::pair<std::size_t, std::string>> all;
+  for (const equations::Equation& part : equations::table()) {
+    std::istringstream words((std::string(part.errata)));
+    for (std::string word; names.contains(part.expression->node().name) && words >> word;) {
+      all.emplace(word.size(), word);
+    }
+  }
+  return fmt::format("{}", fmt::join(std::views::values(all), " "));
 }
 
 /// What has a name, and the equations. \param prefix  of equations without a name
@@ -182,23 +208,6 @@ std::string reactions_text(const derive::Derivation& derivation) {
                      derive::row_of(derive::Rule::kReactions).name);
 }
 
-/// Of the equations in it, in their order.
-std::string errata_of(const formulate::FactoredFunction& function) {
-  std::set<std::pair<std::size_t, std::string>> all;
-  for (const auto& [leaf, of] : function.given) {
-    const equations::Equation* const equation = equations::find(of->equation.name);
-    std::istringstream words(std::string(equation != nullptr ? equation->errata : ""));
-    for (std::string word; words >> word;) {
-      all.emplace(word.size(), word);
-    }
-  }
-  std::string result;
-  for (const auto& [size, word] : all) {
-    result += (result.empty() ? "" : " ") + word;
-  }
-  return result;
-}
-
 /// \param costs  empty: of rows, whose number a scene decides
 std::string factored_text(const Model& model, const Request& request,
                           const formulate::FactoredFunction& function,
@@ -281,7 +290,7 @@ std::string scene_text(const Model& model, const Request& request, const std::st
   const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
   const formulate::FactoredFunction& function = formulate::factored(name);
   const bool solved = info.equations.size() > 1;
-  const std::string errata = errata_of(function);
+  const std::string errata = errata_of(info.equations);
   std::string result =
       fmt::format("{}: equation {}{}{}\n", name, info.equation,
                   solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string(),

@@ -120,7 +120,8 @@ std::string self_test_declaration(const Unit& unit) {
          "/// results of 50 digits.\n///\n"
          "/// \\param[out] place  2, the worst value: number of its output, index there\n"
          "/// \\param[out] error  1, its error as a part of what is allowed: twice what the same\n"
-         "///                    operations, half of them a last digit off by chance, lose in that\n"
+         "///                    operations, half of them a last digit off by chance, lose in "
+         "that\n"
          "///                    value of the output that loses most, and eight roundings more\n"
          "/// \\return how many values are wrong\n" +
          wrapped(fmt::format("Outputs: {}.", numbers), "/// ") +

@@ -336,5 +336,23 @@ TEST(Study, CountsCyclesOfASecond) {
   EXPECT_DOUBLE_EQ(one.cycles_per_second(core("m4f")), 10 * of.add / 0.01);
 }
 
+/// sin a, cos b, sin c and cos c: both are computed of each angle, two or four at once in vectors.
+TEST(Study, CountsAPairOfSineAndCosineForEveryAngle) {
+  program::Graph graph;
+  const program::Ref c = graph.input(0, 2);
+  const std::vector<program::Ref> outputs = {
+      graph.sin(graph.input(0, 0)), graph.cos(graph.input(0, 1)), graph.sin(c), -graph.cos(c)};
+  const program::Cost cost = program::cost(graph, outputs);
+  EXPECT_EQ(cost.sin, 2);
+  EXPECT_EQ(cost.cos, 2);
+  EXPECT_EQ((2 * cost + cost).angles, 9);
+  for (const char* const name : {"m4f", "host"}) {
+    const Core& on = core(name);
+    EXPECT_DOUBLE_EQ(cycles(cost, on, {}), 3 * on.single.cycles.pair);
+    EXPECT_DOUBLE_EQ(cycles(cost, on, {.angles = 2}), 2 * on.single.cycles.pair);
+    EXPECT_DOUBLE_EQ(cycles(cost, on, {.angles = 4}), on.single.cycles.pair);
+  }
+}
+
 }  // namespace
 }  // namespace treedyn::accuracy

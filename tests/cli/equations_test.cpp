@@ -341,11 +341,15 @@ TEST_F(Cli, ShowsTheRatesOfSymbols) {
   EXPECT_THAT(outcome.out, HasSubstr("\n       dot(z^d) = Λ(diagb("));
 }
 
-TEST_F(Cli, SaysThatAnEquationOfZerosHasNoRecursion) {
+TEST_F(Cli, SaysWhatIsNotThere) {
   const std::string equations = scratch("zeros.yaml");
   write_file(equations, "equations:\n  - {name: zeros, value: qd - qd}\n");
   EXPECT_THAT(treedyn({"info", kModel, "--equations", equations, "--derivation", "zeros"}).out,
               HasSubstr("\nrecursion: none, every value is zero\n"));
+  write_file(equations,
+             "equations:\n  - {name: zeros, value: D*s_d*ones}\n");  // no offset of roots
+  EXPECT_THAT(treedyn({"info", kModel, "--equations", equations, "--derivation", "zeros"}).out,
+              HasSubstr("  s_0^d = s^d diagb(Π 1_N)\n  zeros = D s_0^d 1_N\n"));
 }
 
 TEST_F(Cli, ShowsHowCodeComesAbout) {
@@ -371,6 +375,9 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   };
   EXPECT_THAT(by("factor"), testing::Not(testing::AnyOf(HasSubstr("two ways"), HasSubstr("I^A"))));
   EXPECT_THAT(by("articulated"), HasSubstr("I^A = I^d + sum of "));
+  EXPECT_THAT(by("articulated"), HasSubstr("  q̈ = "));
+  EXPECT_THAT(by("articulated"), HasSubstr("m^d E_3"));  // E is the pseudo-inertia
+  EXPECT_THAT(by("articulated"), HasSubstr("(E-σ) "));
   EXPECT_THAT(by("articulated"),
               testing::Not(testing::AnyOf(HasSubstr("two ways"), HasSubstr("L' q̈"))));
   const Outcome seen = treedyn({"info", TREEDYN_SOURCE_DIR "/models/biped.yaml", "--base", "axes",
@@ -385,6 +392,9 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(rows.out, HasSubstr("equation (8),(12) for q̈ and λ, zero there"));
   EXPECT_THAT(rows.out, HasSubstr("\n  J^T = C S_f + H S_n\n"));
   EXPECT_THAT(rows.out, HasSubstr("\n  R12'' A x = r + J^T λ"));
+  EXPECT_THAT(rows.out, HasSubstr("λ, zero there; errata of the print mended: E1 E2 E3 E4 E5 E6 "));
+  EXPECT_THAT(rows.out, HasSubstr("x8 = x2 - x7\n"));
+  EXPECT_THAT(rows.out, HasSubstr(" λ of K λ = x8  <- R12''\n"));
   EXPECT_THAT(treedyn({"info", kModel, "--derivation", "reaction_bias_acceleration"}).out,
               HasSubstr("\n  γ = S_f^T γ_f + S_n^T γ_n\n"));
   expect_usage_error(treedyn({"info", kModel, "--derivation", "dynamics_terms"}),
@@ -397,9 +407,12 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
                     "derive"})
         .out;
   };
-  EXPECT_THAT(of_scene("compass_walk"),
-              testing::AllOf(HasSubstr("reaction_jacobian_transpose: equation (10)\n"),
-                             HasSubstr("constrained_dynamics: "), HasSubstr("impact: ")));
+  EXPECT_THAT(
+      of_scene("compass_walk"),
+      testing::AllOf(
+          HasSubstr(
+              "reaction_jacobian_transpose: equation (10); errata of the print mended: E6 E17\n"),
+          HasSubstr("constrained_dynamics: "), HasSubstr("impact: ")));
   EXPECT_THAT(of_scene("pendulum"), testing::StartsWith("constrained_dynamics: "));
   EXPECT_THAT(of_scene("pendulum"), testing::Not(HasSubstr("impact: ")));
 }
