@@ -1,7 +1,6 @@
 // How the code of a function comes about, as text.
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <set>
 #include <sstream>
 
@@ -58,7 +57,11 @@ std::string errata_of(const std::vector<block::Expression>& equations) {
       all.emplace(word.size(), word);
     }
   }
-  return fmt::format("{}", fmt::join(std::views::values(all), " "));
+  std::string result;
+  for (const auto& [size, word] : all) {
+    result += (result.empty() ? "" : " ") + word;
+  }
+  return result;
 }
 
 /// What has a name, and the equations. \param prefix  of equations without a name
