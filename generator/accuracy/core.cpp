@@ -1,7 +1,6 @@
 #include "accuracy/core.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace treedyn::accuracy {
 
@@ -60,10 +59,10 @@ const std::vector<Core> kCores = {
 
 double price(const program::Cost& cost, const Prices& of, const Build& build) {
   const int fused = build.contracted ? cost.fused : 0;
+  const int pairs = build.angles == 4 ? cost.fours : build.angles == 2 ? cost.twos : cost.angles;
   const double pair = build.libm ? of.libm : build.contracted ? of.fused_pair : of.pair;
   return (cost.add - fused) * of.add + (cost.mul - fused) * of.mul + fused * of.fused +
-         cost.div * of.div + cost.sqrt * of.sqrt +
-         std::ceil(cost.angles / static_cast<double>(build.angles)) * pair;
+         cost.div * of.div + cost.sqrt * of.sqrt + pairs * pair;
 }
 
 const Precision& precision(const Core& core, const Build& build) {

@@ -58,7 +58,7 @@ struct Build {
   bool is_float = true;     ///< which of the two types
   bool libm = false;        ///< sines are those of the C library
   bool contracted = false;  ///< -ffp-contract=fast, not off
-  int angles = 1;           ///< of which sines are taken at once
+  int angles = 1;           ///< of which sines are taken at once: 1, 2 or 4
 };
 
 /// Cycles of one call.

@@ -154,7 +154,8 @@ void exchange(Words& words, Is<KnownReference> auto& all) {
 
 template <class Words>
 void exchange(Words& words, Is<program::Cost> auto& cost) {
-  words(cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos, cost.fused, cost.angles);
+  words(cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos, cost.fused, cost.angles,
+        cost.twos, cost.fours);
 }
 
 template <class Words>

@@ -167,7 +167,7 @@ class Printer {
       case Op::kOnes:
         return "1";
       case Op::kIdentity:
-        return "E_3";  // E is the pseudo-inertia
+        return "E_3";  // E is that of links in E-σ, and the pseudo-inertia
       case Op::kZero:
         return "0";
       case Op::kUnit:

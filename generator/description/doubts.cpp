@@ -24,7 +24,8 @@ constexpr int kLong = 20;
 /// Of mass / radius of gyration^3, kg/m^3, which is up to 9 times the density: 1e3 .. 1e5 of most
 /// bodies, a 1e-9th of that with kg mm^2. Air has 1.2.
 constexpr double kThin = 1e-2;
-constexpr double kVeryThin = 1e-3;  ///< with nothing to compare with
+/// With nothing to compare with: a tether of 100 m has 4e-5.
+constexpr double kVeryThin = 1e-5;
 
 /// m; 0 without a mass.
 Real radius_of_gyration(const model::Inertia& body) {

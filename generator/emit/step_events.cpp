@@ -234,9 +234,12 @@ std::string EventWriter::functions() const {
 Lines EventWriter::turn_lines() const {
   const bool clocks = counts() && stepper_.cuts > 0;
   Lines inner = {"if (!(from.at < h)) {", "  break;", "}"};
-  inner.push_back(clocks ? "to.at = last ? h : next_clock(motion, from.at);" : "to.at = h;");
-  append_if(inner, clocks && stepper_.has_times(),
-            "failed |= last && !(due(motion, h) < 0) ? status::event_missed : 0;");
+  if (clocks) {
+    append(inner, {"to.at = next_clock(motion, from.at);", "if (last && to.at < h) {",
+                   "  failed |= status::event_missed;", "  to.at = h;", "}"});
+  } else {
+    inner.emplace_back("to.at = h;");
+  }
   inner.emplace_back("advance(motion, from, to);");
   if (stepper_.rows > 0) {
     append(inner,
@@ -253,7 +256,8 @@ Lines EventWriter::turn_lines() const {
     return lines;
   }
   Lines lines = {"int event = due(motion, from.at);", "if (event < 0 || last) {",
-                 "  failed |= event < 0 ? 0 : status::event_missed;", "  event = -1;"};
+                 "  failed |= event < 0 || !(from.at < h) ? 0 : status::event_missed;",
+                 "  event = -1;"};
   append(lines, inner, "  ");
   lines.emplace_back("}");
   return lines;

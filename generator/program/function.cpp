@@ -74,6 +74,8 @@ Cost cost(const Graph& graph, std::span<const Ref> outputs) {
     }
   }
   result.angles = static_cast<int>(angles.size());
+  result.twos = (result.angles + 1) / 2;
+  result.fours = (result.angles + 3) / 4;
   return result;
 }
 
@@ -82,13 +84,14 @@ Cost cost(const Function& function) {
 }
 
 Cost operator+(const Cost& a, const Cost& b) {
-  return {a.add + b.add, a.mul + b.mul, a.div + b.div,     a.sqrt + b.sqrt,
-          a.sin + b.sin, a.cos + b.cos, a.fused + b.fused, a.angles + b.angles};
+  return {a.add + b.add,   a.mul + b.mul,    a.div + b.div,     a.sqrt + b.sqrt,
+          a.sin + b.sin,   a.cos + b.cos,    a.fused + b.fused, a.angles + b.angles,
+          a.twos + b.twos, a.fours + b.fours};
 }
 
 Cost operator*(int times, const Cost& c) {
-  return {times * c.add, times * c.mul, times * c.div,   times * c.sqrt,
-          times * c.sin, times * c.cos, times * c.fused, times * c.angles};
+  return {times * c.add, times * c.mul,   times * c.div,    times * c.sqrt, times * c.sin,
+          times * c.cos, times * c.fused, times * c.angles, times * c.twos, times * c.fours};
 }
 
 }  // namespace treedyn::program

@@ -80,7 +80,11 @@ struct Cost {
   /// the addition that takes them in. Such a product stands in the expression of its sum
   /// (`schedule`), where compilers contract the two.
   int fused = 0;
-  int angles = 0;  ///< whose sine or cosine is taken: each has both computed
+  /// Angles whose sine or cosine is taken: each has both computed. And vectors of two and of four
+  /// of them, those of one function.
+  int angles = 0;
+  int twos = 0;
+  int fours = 0;
 
   /// add + mul + div, the number that tests/benchmark/README.md compares.
   [[nodiscard]] int total() const { return add + mul + div; }

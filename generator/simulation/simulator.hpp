@@ -166,6 +166,7 @@ class Simulator {
   double slope_of(const Watch& watch, const Vector& y);
   void strike_expression(const Watch& watch);
   void refuse_small_rebounds(const Watch& watch, double t, const Vector& y);
+  [[nodiscard]] double resolution(double step) const;
   bool is_still_to_come(const Watch& watch, const Watch* same);
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);
@@ -218,6 +219,7 @@ class Simulator {
   std::vector<Watch> watches_;
   std::vector<LiftOff> lift_offs_;           ///< events behind those of the phase
   std::set<const model::Event*> rebounded_;  ///< whose impacts turned their expressions upwards
+  Vector arrived_;                           ///< where the last event has happened, before it
   std::vector<EventRecord> events_;
 };
 

@@ -24,8 +24,8 @@ using Kind = Watch::Kind;
 /// instant is: a part of the time, or s.
 constexpr int kMaxPile = 100;
 constexpr double kPile = 1e-10;
-/// How far apart events of one instant may be found, a part of the time, or s.
-constexpr double kSameInstant = 1e-12;
+/// How far apart events of one instant may be found, in resolutions of time.
+constexpr double kSameInstant = 16;
 
 Kind kind_of(model::EventKind kind) {
   switch (kind) {
@@ -83,15 +83,22 @@ void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size
 }
 
 /// What is on the plane, or a rounding below zero, was above until now: another event of the same
-/// instant came first, or the motion begins.
+/// instant came first, or the motion begins. What only an impact brought there was not about to
+/// fall.
 bool Simulator::is_still_to_come(const Watch& watch, const Watch* same) {
   if (!watch.armed || (watch.kind != Kind::kEvent && watch.kind != Kind::kExpression)) {
     return false;
   }
-  const double value = watch.value(system_, t_, y_);
-  const bool begins = events_.empty() && !(t_ > start_);
-  return begins ? value >= 0
-                : same != nullptr && same->before > 0 && !same->fired && value > -kOnPlane;
+  if (events_.empty() && !(t_ > start_)) {
+    return watch.value(system_, t_, y_) >= 0;
+  }
+  if (same == nullptr || same->before <= 0 || same->fired) {
+    return false;
+  }
+  const double rate =
+      watch.is_height() ? watch.slope(system_, arrived_) : slope_of(watch, arrived_);
+  const double passed = kSameInstant * resolution(0) * std::fabs(rate);
+  return std::fabs(watch.value(system_, t_, arrived_)) <= std::max(kOnPlane, passed);
 }
 
 /// The impact of a touch-down, or what begins to hold behind it, stops its point.
@@ -177,7 +184,7 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
 void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first) {
   Watch& watch = watches_[k];
   watch.next_side = watch.side;
-  watch.before = watch.armed ? watch.side : 0;
+  watch.before = 0;
   const double from = watch.armed ? 0 : (watch.until - t_) / h;
   if (from > 1) {
     return;
@@ -195,6 +202,7 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
   };
   const Vector start = watch.armed ? y_ : dense_.at(from);
   int side = watch.armed ? watch.side : watch.side_of(system_, t_ + from * h, start);
+  watch.before = side;
   if (!watch.armed && side < 0) {
     note_below(watch, t_ + from * h, start);
   }
@@ -213,7 +221,7 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
       // what stops at zero does not fall through it
       const bool stops =
           watch.kind == Kind::kSlip && first && watches_[first->watch].kind == Kind::kExpression;
-      if (!first || at < first->step + (stops ? kSameInstant * std::max(1.0, std::fabs(t_)) : 0)) {
+      if (!first || at < first->step + (stops ? kSameInstant * resolution(at) : 0)) {
         first = Crossing{k, at};
       }
       return;
@@ -227,13 +235,19 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
   }
 }
 
+/// How well the time after a step from here is known, s.
+double Simulator::resolution(double step) const {
+  return std::numeric_limits<double>::epsilon() * (std::fabs(t_) + step) / 8;
+}
+
 /// The length of the step that ends where the watch changes its side, to the resolution of time:
 /// between two parts of it, and not before the watch is looked at; -1 if the motion does not get
-/// there.
+/// there. An expression is beyond zero by more than its rounding.
 double Simulator::refine(const Watch& watch, double low, double high, double h) {
   const std::function<double(double)> g = [&](double step) {
     integrator_->step(rate_, t_, step, y_, trial_, trial_error_);
-    return watch.value(system_, t_ + step, trial_);
+    return watch.value(system_, t_ + step, trial_) +
+           (watch.kind == Kind::kExpression ? watch.side * watch.band() : 0);
   };
   const double earliest = watch.armed ? 0 : watch.until - t_;
   double from = std::max(low * h, earliest);
@@ -250,8 +264,7 @@ double Simulator::refine(const Watch& watch, double low, double high, double h) 
   if (from > earliest && watch.side * g(from) < 0) {
     from = earliest;
   }
-  const double resolution = std::numeric_limits<double>::epsilon() * (std::fabs(t_) + to) / 8;
-  return far_side(g, watch.side, from, to, resolution);
+  return far_side(g, watch.side, from, to, resolution(to));
 }
 
 /// Rate of an expression in a state of now, by a difference.
@@ -295,6 +308,7 @@ void Simulator::strike_expression(const Watch& watch) {
 void Simulator::happen(Watch& watch) {
   guard_against_pile(watch);
   watch.fired = true;
+  arrived_ = y_;
   switch (watch.kind) {
     case Kind::kEvent:
     case Kind::kReaction:

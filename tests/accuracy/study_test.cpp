@@ -351,6 +351,7 @@ TEST(Study, CountsAPairOfSineAndCosineForEveryAngle) {
     EXPECT_DOUBLE_EQ(cycles(cost, on, {}), 3 * on.single.cycles.pair);
     EXPECT_DOUBLE_EQ(cycles(cost, on, {.angles = 2}), 2 * on.single.cycles.pair);
     EXPECT_DOUBLE_EQ(cycles(cost, on, {.angles = 4}), on.single.cycles.pair);
+    EXPECT_DOUBLE_EQ(cycles(4 * cost, on, {.angles = 4}), 4 * on.single.cycles.pair);
   }
 }
 

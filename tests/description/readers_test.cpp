@@ -368,6 +368,7 @@ TEST(Vet, FindsOtherUnitsOfAllLinks) {
 TEST(Vet, LeavesLargeAndLightModelsAlone) {
   using testing::ElementsAre;
   EXPECT_THAT(of_rods("40", "20", "2*40^2/12"), ElementsAre()) << "a tether";
+  EXPECT_THAT(of_rods("100", "50", "2*100^2/12"), ElementsAre()) << "a longer one";
   EXPECT_THAT(of_rods("25", "0.5", "1/6"), ElementsAre()) << "a hook on a rope";
   EXPECT_THAT(of_rods("1e-3", "5e-4", "2e-6/12"), ElementsAre()) << "a micro-robot";
   EXPECT_THAT(of_rods("1", "0.5", "1"), ElementsAre()) << "a guess";

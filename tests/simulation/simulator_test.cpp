@@ -486,25 +486,44 @@ TEST(Events, OfOneInstantHappenOneBehindTheOther) {
     EXPECT_THAT(phases_of_two("expression: \"q[tip]\"", "expression: \"q[press]\"", stepping),
                 both);
     EXPECT_THAT(phases_of_two("expression: \"q[tip]\"", "expression: \"1 - t\"", stepping), both);
+    EXPECT_THAT(phases_of_two("expression: \"1e6*q[tip]\"", "expression: \"q[press]\"", stepping),
+                both);
+    EXPECT_THAT(phases_of_two("touch_down: {point: a}, not_before: 0.999",
+                              "touch_down: {point: b}, not_before: 0.999", stepping),
+                testing::AnyOf("tip_below ", "press_below "))
+        << "the second one waits again";
   }
 }
 
-/// It stops by friction: its speed reaches zero and falls through it in the steps alone.
+/// Two carriages that friction stops, the second one first or at the same time, and an event of
+/// one speed.
+/// \param initial  speed of the first and the time at the beginning
+std::size_t events_of_stopping(const std::string& expression, double speed,
+                               const std::string& begin, const std::string& stepping) {
+  Running run(scene_of(fmt::format(
+      "scene: s\nmodel: ../../tests/scenes/models/two_scales.yaml\neffects:\n"
+      "  coulomb_friction: [{{joint: tip, force: 0.006}}, {{joint: press, force: 2400}}]\nphases:\n"
+      "  - {{name: slides, until: [{{expression: \"{}\", then: stopped}}]}}\n"
+      "  - {{name: stopped}}\ninitial: {{qd: {{tip: {}, press: 0.777}}, t: {}}}\nduration: 3\n"
+      "stepping: {{{}}}\n",
+      expression, speed, begin, stepping)));
+  run.advance_to(run.simulator.time() + 3);
+  EXPECT_EQ(run.simulator.qd()[0], 0);
+  EXPECT_EQ(run.simulator.qd()[1], 0);
+  return run.simulator.events().size();
+}
+
 TEST(Events, AreNoneOfTheSpeedOfAJointThatSticks) {
   for (const std::string stepping :
        {"integrator: fehlberg78", "integrator: dopri5", "integrator: rk4, step: 0.01",
         "integrator: rk4, step: 0.007"}) {
-    for (const double speed : {1.0, 0.777, 1.3}) {
-      Running run(scene_of(fmt::format(
-          "scene: s\nmodel: ../../tests/scenes/models/cart_and_ball.yaml\neffects:\n"
-          "  coulomb_friction: [{{joint: x, force: 3}}]\nphases:\n"
-          "  - {{name: slides, until: [{{expression: \"qd[x]\", then: stopped}}]}}\n"
-          "  - {{name: stopped}}\ninitial: {{qd: {{x: {}}}}}\nduration: 3\nstepping: {{{}}}\n",
-          speed, stepping)));
-      run.advance_to(3);
-      EXPECT_EQ(run.simulator.qd()[0], 0);
-      EXPECT_TRUE(run.simulator.events().empty()) << stepping << ", " << speed << " m/s";
+    SCOPED_TRACE(stepping);
+    for (const double speed : {1.0, 0.777, 1.3}) {  // its speed falls through zero in steps alone
+      EXPECT_EQ(events_of_stopping("qd[tip]", speed, "0", stepping), 0U) << speed;
+      EXPECT_EQ(events_of_stopping("qd[press]", speed, "0", stepping), 0U) << speed;
     }
+    EXPECT_EQ(events_of_stopping("qd[tip] - 1e-8", 1, "0", stepping), 1U);
+    EXPECT_EQ(events_of_stopping("qd[tip] - 1e-8", 1, "1000", stepping), 1U) << "3 ns before";
   }
 }
 
