@@ -31,9 +31,9 @@ class Doubts {
  private:
   /// The lengths of a robot that those of one link or joint are held against, m.
   struct Scale {
-    Real distance;  ///< the second largest offset or distance of a center of mass
-    Real radius;    ///< the largest radius of gyration of bodies that are not thin
-    bool thin;      ///< all bodies are
+    Real distance = 0;  ///< the second largest offset or distance of a center of mass
+    Real radius = 0;    ///< the largest radius of gyration of bodies that are not thin
+    bool thin = false;  ///< all bodies are
     [[nodiscard]] bool is_far(const Real& length) const;
   };
   static Scale scale_of(const std::vector<model::Inertia>& bodies,
