@@ -290,7 +290,8 @@ if(NOT output MATCHES "falling and twin both write functions of falling, and not
   message(FATAL_ERROR "expected warnings of falling and twin, other_symbols and like_other, and no other:\n${output}")
 endif()
 
-foreach(file IN ITEMS share/doc/treedyn/LICENSE share/treedyn/templates/model.cpp.in bin/treedyn
+foreach(file IN ITEMS share/doc/treedyn/LICENSE share/doc/treedyn/generator/cli/INTERFACE.md
+        share/doc/treedyn/models/scenes/README.md share/treedyn/templates/model.cpp.in bin/treedyn
         share/man/man1/treedyn.1 share/bash-completion/completions/treedyn)
   if(NOT EXISTS ${scratch}/second/${file})
     message(FATAL_ERROR "${file} was not installed")
