@@ -23,9 +23,10 @@ Precision in_software(Prices of) {
 /// and of the C library (newlib's sin and cos of angles below 1.5 rad) were counted once.
 ///
 /// Cycles of the Cortex-M4F are fitted to the sums over executed instructions of the benchmark's
-/// firmware.md, each with its cycles after ARM's technical reference manual (VADD, VMUL 1, VFMA 3,
-/// loads and stores 2, jumps 3, VDIV and VSQRT 14): of the biped A comes out 12 % too low, G
-/// 6 %, B 2 %, tau 4 % and forward dynamics 1 % too high. The
+/// firmware.md, -O2, each with its cycles after ARM's technical reference manual (VADD, VMUL 1,
+/// VFMA 3, loads and stores 2, jumps 3, VDIV and VSQRT 14): of the biped A comes out 12 % too low,
+/// G 6 %, B 2 %, tau 4 % and forward dynamics 1 % too high; of code of --core m4f, which forbids
+/// -fschedule-insns, A 2 % and tau 6 % too high, G 5 %, B and forward dynamics 1 % too low. The
 /// M33 is taken for the same core. M7 and host are estimates: a core with two pipes, and one that
 /// issues three instructions a cycle; what contraction adds to or takes from them is that of the
 /// models of llvm-mca for the Cortex-M7 and for Haswell.
