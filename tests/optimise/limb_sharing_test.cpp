@@ -45,9 +45,11 @@ TEST(LimbCode, ComputesWhatIsEqualOnceALimb) {
   const auto code = limb_code(symmetric(), two_limbs(), std::nullopt);
   ASSERT_NE(code, nullptr);
   ASSERT_EQ(code->phases.size(), 1U);
-  EXPECT_EQ(cost(code->phases[0].function), (Cost{.add = 1, .mul = 1, .sin = 1, .fused = 1}));
+  EXPECT_EQ(cost(code->phases[0].function),
+            (Cost{.add = 1, .mul = 1, .sin = 1, .fused = 1, .angles = 1, .twos = 1, .fours = 1}));
   EXPECT_EQ(cost(code->trunk), (Cost{.add = 2}));
-  EXPECT_EQ(cost(*code), (Cost{.add = 4, .mul = 2, .sin = 2, .fused = 2}));
+  EXPECT_EQ(cost(*code),
+            (Cost{.add = 4, .mul = 2, .sin = 2, .fused = 2, .angles = 2, .twos = 2, .fours = 2}));
 }
 
 TEST(LimbCode, HasTheValuesOfTheFunctionInEveryLimb) {
@@ -68,7 +70,7 @@ TEST(LimbCode, LeavesToTheTrunkWhatOneLimbAloneHas) {
   f.outputs[0] = f.graph.cos(first.joint);
   const auto code = limb_code(f, two_limbs(), std::nullopt);
   ASSERT_NE(code, nullptr);
-  EXPECT_EQ(cost(code->trunk), (Cost{.cos = 1}));
+  EXPECT_EQ(cost(code->trunk), (Cost{.cos = 1, .angles = 1, .twos = 1, .fours = 1}));
 }
 
 TEST(LimbCode, IsNullIfTheLimbsHaveNothingInCommon) {
