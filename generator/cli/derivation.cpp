@@ -44,22 +44,27 @@ void collect_names(const block::Expression& e, std::set<std::string>& names) {
   }
 }
 
-/// Of the print that what stands in `equations` mends, in their order.
-std::string errata_of(const std::vector<block::Expression>& equations) {
+/// Those of the print that what stands in `equations` mends, in their order.
+/// \param own  further ones
+std::string errata_text(const std::vector<block::Expression>& equations, std::string_view own) {
   std::set<std::string> names;
   for (const block::Expression& equation : equations) {
     collect_names(equation, names);
   }
-  std::set<std::pair<std::size_t, std::string>> all;
+  std::string words(own);
   for (const equations::Equation& part : equations::table()) {
-    std::istringstream words((std::string(part.errata)));
-    for (std::string word; names.contains(part.expression->node().name) && words >> word;) {
-      all.emplace(word.size(), word);
+    if (names.contains(part.expression->node().name)) {
+      words += fmt::format(" {}", part.errata);
     }
+  }
+  std::set<std::pair<std::size_t, std::string>> all;
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    all.emplace(word.size(), word);
   }
   std::string result;
   for (const auto& [size, word] : all) {
-    result += (result.empty() ? "" : " ") + word;
+    result += (result.empty() ? "; errata of the print mended: " : " ") + word;
   }
   return result;
 }
@@ -100,8 +105,8 @@ std::string equation_text(const std::string& name, const block::Expression& expr
   if (ours != nullptr && !ours->unknown.empty()) {
     result += fmt::format(" for {}, zero there", ours->unknown);
   }
-  if (ours != nullptr && !ours->errata.empty()) {
-    result += fmt::format("; errata of the print mended: {}", ours->errata);
+  if (ours != nullptr) {
+    result += errata_text({expression}, ours->errata);
   }
   return result + "\n" + definitions({expression}, name + " = ");
 }
@@ -293,11 +298,10 @@ std::string scene_text(const Model& model, const Request& request, const std::st
   const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
   const formulate::FactoredFunction& function = formulate::factored(name);
   const bool solved = info.equations.size() > 1;
-  const std::string errata = errata_of(info.equations);
   std::string result =
       fmt::format("{}: equation {}{}{}\n", name, info.equation,
                   solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string(),
-                  errata.empty() ? "" : "; errata of the print mended: " + errata) +
+                  errata_text(info.equations, "")) +
       definitions(info.equations);
   if (solved && formulate::has_trunk(model.tree)) {
     result += "\nwhere a scene acts on no link above it" + trunk_text(model, request);

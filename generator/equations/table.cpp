@@ -31,7 +31,7 @@ constexpr Argument kB = {"B", kN, kOneElement, kForce};
 constexpr Argument kG = {"G", kN, kOneElement, kForce};
 
 constexpr const char* kErrataOfA = "E10 E11 E13";
-constexpr const char* kErrataOfTau = "E1 E2 E3 E4 E5 E10 E11 E12 E13 E14 E20";
+constexpr const char* kErrataOfTau = "E12";
 
 std::vector<Equation> dynamics() {
   return {

@@ -37,7 +37,8 @@ struct Equation {
   std::vector<Argument> inputs;
   std::vector<Argument> outputs;
   std::optional<block::Expression> expression = {};  ///< its value; of solved ones zero
-  std::string_view errata = {};   ///< of the print that the expression mends, EQUATIONS.md 4
+  std::string_view errata =
+      {};  ///< of the print that it mends beside those of its parts, EQUATIONS.md 4
   std::string_view unknown = {};  ///< what the function solves for where the expression is zero
 };
 
