@@ -26,6 +26,12 @@ constexpr int kLong = 20;
 constexpr double kThin = 1e-2;
 /// With nothing to compare with: a tether of 100 m has 4e-5.
 constexpr double kVeryThin = 1e-5;
+/// kg/m^3, of osmium: nothing is denser. Masses in g make a body 1e3 to 1e7 times as dense.
+constexpr int kDensest = 22600;
+/// m; what has a smaller radius of gyration stands for a point.
+constexpr double kPoint = 1e-4;
+/// Of squares of lengths: what is flatter or thinner stands for a disc or a rod.
+constexpr double kFlat = 1e-3;
 
 /// m; 0 without a mass.
 Real radius_of_gyration(const model::Inertia& body) {
@@ -36,6 +42,19 @@ Real radius_of_gyration(const model::Inertia& body) {
 
 bool thinner(double density, const Real& mass, const Real& radius) {
   return radius > 0 && mass < density * radius * radius * radius;
+}
+
+/// The least density with which a body can have this inertia, kg/m^3: that of an ellipsoid, whose
+/// half axes are sqrt 5 times the root mean squares along them. 0 of discs and rods.
+Real density(const model::Inertia& body, const Real& radius) {
+  Matrix3 squares;  // means of x x^T
+  for (std::size_t k = 0; k < 9; ++k) {
+    squares[k] = (k % 4 == 0 ? radius * radius : Real(0)) - body.about_com[k] / body.mass;
+  }
+  const Vector3 along = eigenvalues(squares);
+  return along[0] > kFlat * along[2]
+             ? Real(body.mass / (4 * pi() / 3 * sqrt(125 * along[0] * along[1] * along[2])))
+             : Real(0);
 }
 
 /// -1 where there is none.
@@ -151,6 +170,11 @@ void Doubts::of_inertia(const RawLink& link, const model::Inertia& body, const R
         "has a mass of {} kg and a radius of gyration of {} m, which is thinner than air; masses "
         "are in kg, inertias in kg m^2",
         body.mass.str(3), radius.str(3));
+  } else if (radius > kPoint && density(body, radius) > kDensest) {
+    fault = fmt::format(
+        "has a mass of {} kg and a radius of gyration of {} m, which is denser than any metal "
+        "({} kg/m^3 at least); masses are in kg, inertias in kg m^2",
+        body.mass.str(3), radius.str(3), density(body, radius).str(2));
   } else if (body.mass > 0 && scale.is_far(com)) {
     fault = fmt::format(
         "has its center of mass at {} m, beside radii of gyration of up to {} m; lengths are in m",

@@ -365,6 +365,31 @@ TEST(Vet, FindsOtherUnitsOfAllLinks) {
                           far("joint 'j'", "offset of 1e+03 m")));
 }
 
+TEST(Vet, FindsBodiesDenserThanMetal) {
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  const auto body = [](const char* mass, const char* moments) {
+    return findings(
+        "dense.yaml",
+        one_link("type: revolute, axis: [1, 0, 0]",
+                 fmt::format("mass: {}\n  com: [0, 0, 0.1]\n  inertia: [{}]", mass, moments)));
+  };
+  const char* ball = "0.001, 0, 0, 0.001, 0, 0.001";  // of steel, radius 37.7 mm
+  EXPECT_THAT(body("1.76", ball), ElementsAre());
+  EXPECT_THAT(
+      body("1760", ball),
+      ElementsAre(HasSubstr("link 'a' has a mass of 1.76e+03 kg and a radius of gyration of "
+                            "0.000923 m, which is denser than any metal (2.5e+11 kg/m^3 at "
+                            "least); masses are in kg, inertias in kg m^2")));
+  EXPECT_THAT(body("1760", "1, 0, 0, 1, 0, 1"), ElementsAre(HasSubstr("7.8e+06 kg/m^3 at least")))
+      << "both in grams";
+  EXPECT_THAT(body("1760", "1.5, 0, 0, 1, -0.4, 0.9"), ElementsAre(HasSubstr("kg/m^3 at least")))
+      << "in other axes";
+  EXPECT_THAT(body("3", "1e-9, 0, 0, 1e-9, 0, 1e-9"), ElementsAre()) << "a point";
+  EXPECT_THAT(body("3", "0, 0, 0, 0.01, 0, 0.01"), ElementsAre()) << "a rod";
+  EXPECT_THAT(body("3", "0.005, 0, 0, 0.005, 0, 0.01"), ElementsAre()) << "a disc";
+}
+
 TEST(Vet, LeavesLargeAndLightModelsAlone) {
   using testing::ElementsAre;
   EXPECT_THAT(of_rods("40", "20", "2*40^2/12"), ElementsAre()) << "a tether";
