@@ -280,10 +280,11 @@ class PhaseReader {
     for (model::Phase& phase : scene_.phases) {
       for (model::Event& event : phase.until) {
         if (event.impact) {
+          const std::vector<int> lasting = model::lasting(scene_, phase, event);
           std::set<int> rows(event.impact->constraints.begin(), event.impact->constraints.end());
-          std::ranges::set_intersection(phase.active, scene_.phases[to_index(event.then)].active,
-                                        std::inserter(rows, rows.end()));
+          rows.insert(lasting.begin(), lasting.end());
           event.impact->constraints.assign(rows.begin(), rows.end());
+          event.impact->held = model::held(scene_, phase, event);
         }
       }
     }

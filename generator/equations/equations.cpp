@@ -173,7 +173,7 @@ Constrained constrained_dynamics() {
 Constrained impact() {
   const Expression J_T = reaction_jacobian_transpose();
   return {mass_matrix() * qd_change - J_T * lambda,
-          transpose(J_T) * qd_change + named("v", transpose(J_T) * qd * rebound)};
+          transpose(J_T) * qd_change + named("v", rebound * (transpose(J_T) * qd))};
 }
 
 Expression point_positions() { return named("p", points().D_P * s_d * ones + t_d * ones_P); }

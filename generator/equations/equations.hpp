@@ -102,7 +102,7 @@ struct Constrained {
 };
 /// (8) and 6.2: A q̈ + B + G - Q - τ - J^T λ and J q̈ + γ - a, for q̈ and λ.
 Constrained constrained_dynamics();
-/// 6.4: A Δq̇ - J^T λ and J (Δq̇ + (1+e) q̇), for Δq̇ and impulses λ; q̇ is that before.
+/// 6.4: A Δq̇ - J^T λ and J Δq̇ + (1+e)^d J q̇, for Δq̇ and impulses λ; q̇ is that before.
 Constrained impact();
 
 /// p, 3P: positions, base frame (s_i of a root link is P_i here).

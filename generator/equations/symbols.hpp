@@ -49,9 +49,10 @@ inline const Expression u = leaf("u", block::Structure::kFull, {kPoints3, kOne})
 /// Reactions, or impulses, of the rows; accelerations that the rows want.
 inline const Expression lambda = leaf("λ", block::Structure::kFull, {kRows, kOne});
 inline const Expression a_des = leaf("a_des", block::Structure::kFull, {kRows, kOne});
-/// Velocities after an impact less those before; 1 + the coefficient of restitution.
+/// Velocities after an impact less those before; 1 + the coefficient of restitution, 0 of rows that
+/// are led through it.
 inline const Expression qd_change = leaf("Δq̇", block::Structure::kFull, {kLinks, kOne});
-inline const Expression rebound = leaf("(1+e)", block::Structure::kFull, {kOne, kOne});
+inline const Expression rebound = leaf("(1+e)^d", block::Structure::kDiagonal, {kRows, kRows});
 
 // Motion and forces.
 inline const Expression qd_d = leaf("q̇^d", block::Structure::kDiagonal, {kLinks, kLinks});

@@ -148,6 +148,21 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   return result;
 }
 
+namespace {
+
+/// 1 + e of every row, 0 where it is led through the impact.
+std::vector<Expr> rebounds(const model::Scene& scene, const Options& options, Graph& graph) {
+  std::vector<Expr> result;
+  for (const int c : options.active) {
+    const bool held = std::ranges::binary_search(options.held, c);
+    result.insert(result.end(), scene.constraints[to_index(c)].rows(),
+                  held ? Expr() : constant(graph, 1 + options.restitution));
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<Expr> build_impact(const Task& task) {
   Graph& graph = task.kinematics.graph();
   const model::Scene& scene = *task.options.scene;
@@ -159,14 +174,14 @@ std::vector<Expr> build_impact(const Task& task) {
   const SceneRows rows(scene, task.options.active, system.frame(), graph, nothing);
   const std::vector<Expr> qd = inputs(graph, arrays.qd, task.tree.dof());
   const std::vector<Expr> velocity = system.velocities(qd);
-  const Expr rebound = constant(graph, 1 + task.options.restitution);
+  const std::vector<Expr> rebound = rebounds(scene, task.options, graph);
   std::vector<Expr> v;
   for (const Row& row : rows.rows()) {
     Expr speed;
     for (const auto& [k, value] : row.columns) {
       speed += value * velocity[to_index(k)];
     }
-    v.push_back(rebound * speed);
+    v.push_back(rebound[v.size()] * speed);
   }
   const std::vector<Expr> mu = inputs(graph, arrays.mu, rows.size());
   const Solution solution("impact", graph, system, rows, [&](const std::string& symbol) {

@@ -255,6 +255,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   Options options = options_;
   options.active = impact.constraints;
   options.restitution = impact.restitution;
+  options.held = impact.held;
   const Recipe recipe{
       {.q = 0},
       {.regrouping = true, .tensor_form = true, .trunk = true, .fixed_length = true},
@@ -274,6 +275,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   staged.signature.rows = row_names(scene_, impact.constraints);
   staged.constraints = impact.constraints;
   staged.restitution = impact.restitution.plain();
+  staged.held = impact.held;
   return staged;
 }
 

@@ -69,9 +69,9 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
         continue;
       }
       const std::string name = fmt::format("impact_{}", to_identifier(phase.name));
-      add({event.impact->constraints, event.impact->restitution, name});
+      add(impact_with(*event.impact, event.impact->restitution, name));
       if (event.impact->rest_below > 0) {
-        add({event.impact->constraints, 0, name + "_at_rest"});
+        add(impact_with(*event.impact, 0, name + "_at_rest"));
       }
     }
   }
@@ -82,8 +82,9 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
   for (const model::Phase& phase : scene.phases) {
     for (const model::Event& event : phase.until) {
       if (rests_unasked(scene, event)) {
-        add({event.impact->constraints, 0,
-             one ? "impact_at_rest" : fmt::format("impact_{}_at_rest", to_identifier(phase.name))});
+        add(impact_with(
+            *event.impact, 0,
+            one ? "impact_at_rest" : fmt::format("impact_{}_at_rest", to_identifier(phase.name))));
       }
     }
   }

@@ -11,13 +11,21 @@ namespace treedyn::formulate {
 /// An impact that some event of the scene has.
 struct ImpactName {
   std::vector<int> constraints;
-  Real restitution = 0;
-  std::string name;
+  std::vector<int> held;  ///< of them those that are led through it
+  Real restitution = 0;   ///< of the others
+  std::string name = {};
 
   [[nodiscard]] bool same_as(const ImpactName& other) const {
-    return constraints == other.constraints && restitution == other.restitution;
+    return constraints == other.constraints && held == other.held &&
+           restitution == other.restitution;
   }
 };
+
+/// That of an event with this restitution, its own or none.
+inline ImpactName impact_with(const model::Impact& impact, const Real& restitution,
+                              const std::string& name = "") {
+  return {impact.constraints, impact.held, restitution, name};
+}
 
 /// Every impact once; where a slow rebound comes to rest also the one without rebound. One impact
 /// is called impact, several are called after the phases that they end.

@@ -154,8 +154,8 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
   const std::vector<int> active = active_behind(scene_, states_[state], event, at_rest);
   result.then = find_state(states_, event.then, active);
   if (strikes(event)) {
-    const ImpactName wanted{event.impact->constraints,
-                            at_rest ? Real(0) : event.impact->restitution, ""};
+    const ImpactName wanted =
+        impact_with(*event.impact, at_rest ? Real(0) : event.impact->restitution);
     const std::vector<ImpactName> all = impacts_of(scene_);
     const auto found =
         std::ranges::find_if(all, [&](const ImpactName& impact) { return impact.same_as(wanted); });

@@ -52,6 +52,7 @@ void remove_constraints(Scene& scene, ConstraintKind kind) {
       event.pins = renumbered(event.pins, place);
       if (event.impact) {
         event.impact->constraints = renumbered(event.impact->constraints, place);
+        event.impact->held = renumbered(event.impact->held, place);
       }
     }
   }

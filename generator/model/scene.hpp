@@ -107,12 +107,14 @@ struct Armature {
   Real inertia = 0;  ///< kg m^2 or kg
 };
 
-/// Velocities jump such that the rows of `constraints` move with -restitution times their speed.
+/// Velocities jump such that the rows of `constraints` move with -restitution times their speed,
+/// those of `held` as before.
 struct Impact {
   std::vector<int> constraints;  ///< those that strike; of a scene in YAML also all that act before
                                  ///< and behind it
   Real restitution = 0;
-  Real rest_below = 0;  ///< m/s; a slower rebound is rest: the rows become active
+  Real rest_below = 0;         ///< m/s; a slower rebound is rest: the rows become active
+  std::vector<int> held = {};  ///< those that act before and behind it and are led
 };
 
 enum class EventKind {

@@ -56,6 +56,7 @@ struct Staged {
   std::vector<int> constraints;  ///< of the scene: those that act
   std::vector<std::pair<int, Real>> forces;  ///< of joints, of its phase alone
   Real restitution = 0;                      ///< of an impact
+  std::vector<int> held;                     ///< of an impact: those that are led through it
   std::vector<std::string> anchors;          ///< what the parts of `anchor` are
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "common/decimal.hpp"
+#include "common/index.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "model/scene_facts.hpp"
 
@@ -39,13 +40,13 @@ void check_counts(const model::Scene& scene, const Location& where) {
   }
 }
 
-void check_impact(const model::Scene& scene, const model::Phase& phase,
-                  const std::vector<int>& constraints, const Location& where) {
-  for (const int c : constraints) {
-    const model::Constraint& row = scene.constraints[static_cast<std::size_t>(c)];
-    const auto& speed = row.curve.velocity;
-    if (!std::ranges::all_of(speed, [](const auto& v) { return v.is_zero(); })) {
-      throw InputError(where, fmt::format("phase '{}': an impact takes in constraint '{}', which "
+void check_impact(const model::Scene& scene, const model::Phase& phase, const model::Impact& impact,
+                  const Location& where) {
+  for (const int c : impact.constraints) {
+    const model::Constraint& row = scene.constraints[to_index(c)];
+    if (model::is_led(row) && row.accelerations.empty() &&
+        !std::ranges::binary_search(impact.held, c)) {
+      throw InputError(where, fmt::format("phase '{}': an impact strikes constraint '{}', which "
                                           "is led along a curve; expected one at rest, or "
                                           "--functions without impact and step",
                                           shown(phase.name), shown(row.name)));
@@ -117,7 +118,7 @@ void check_impacts(const Model& model, const Location& where) {
   for (const model::Phase& phase : model.scene->phases) {
     for (const model::Event& event : phase.until) {
       if (event.impact && !none) {
-        check_impact(*model.scene, phase, event.impact->constraints, where);
+        check_impact(*model.scene, phase, *event.impact, where);
       }
     }
   }

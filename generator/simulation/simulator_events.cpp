@@ -115,7 +115,7 @@ void Simulator::stick_or_slip(System& system, double t, const Vector& y, std::si
 bool Simulator::strike(const model::Event& event, EventRecord& record) {
   const model::Impact& impact = *event.impact;
   const auto restitution = static_cast<double>(impact.restitution);
-  record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, restitution);
+  record.impulse = system_.impact(t_, record.q, record.qd_after, impact, restitution);
   if (event.kind != model::EventKind::kHeight || (restitution == 0 && impact.rest_below == 0)) {
     return false;
   }
@@ -127,7 +127,7 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
     return false;
   }
   record.qd_after = record.qd_before;
-  record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, 0);
+  record.impulse = system_.impact(t_, record.q, record.qd_after, impact, 0);
   return true;
 }
 

@@ -358,18 +358,24 @@ void System::pad(Vector& rows) const {
   rows.tail(J_.rows() - size).setZero();
 }
 
-Vector System::impact(double t, const Vector& q, Vector& qd, const std::vector<int>& constraints,
+Vector System::impact(double t, const Vector& q, Vector& qd, const model::Impact& impact,
                       double restitution) {
   const std::vector<int> before = constraints_.active();
-  constraints_.activate(constraints);
+  constraints_.activate(impact.constraints);
   evaluate(q, qd);
   factor_inertia(t);
   constraints_.jacobian(terms_, J_);
   constraints_.velocities(t, rate_);
   W_ = A_.matrixL().solve(J_.transpose());
   solve_.factor(W_, sizes_now(t, q, {}));
-  const Vector y = solve_.preimage(-(1 + restitution) * (J_ * qd - rate_));  // K P = -(1+e) J qd
-  qd += A_.matrixU().solve(y);                                               // A dqd = J^T P
+  rate_ = -(1 + restitution) * (J_ * qd - rate_);
+  for (int k = 0; k < constraints_.rows(); ++k) {
+    if (std::ranges::binary_search(impact.held, constraints_.constraint(k))) {
+      rate_[k] = 0;
+    }
+  }
+  const Vector y = solve_.preimage(rate_);  // K P = -(1+e) J qd
+  qd += A_.matrixU().solve(y);              // A dqd = J^T P
   Vector impulse = solve_.multipliers();
   constraints_.activate(before);
   return impulse;

@@ -96,8 +96,9 @@ class System {
   [[nodiscard]] const Vector& pulled() const { return pulled_; }
   /// Takes from an error of y = (q; qd) what `project` corrects: its part across the rows.
   void remove_normal(double t, const Vector& y, Vector& error);
-  /// EQUATIONS.md 6.4 for all rows of `constraints`; changes qd. \return impulses, N s or N m s
-  Vector impact(double t, const Vector& q, Vector& qd, const std::vector<int>& constraints,
+  /// EQUATIONS.md 6.4 for all rows of its constraints, whatever its own restitution is; changes qd.
+  /// \return impulses, N s or N m s
+  Vector impact(double t, const Vector& q, Vector& qd, const model::Impact& impact,
                 double restitution);
   /// The largest error of the active rows, and the constraint whose row it is; none: -1.
   struct Violation {

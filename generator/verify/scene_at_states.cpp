@@ -327,6 +327,17 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
   return error;
 }
 
+/// e of every row of an impact, -1 where it is led through it.
+Values shares_of_speed(const model::Scene& scene, const program::Staged& staged) {
+  Values result;
+  for (const int c : staged.constraints) {
+    const bool held = std::ranges::binary_search(staged.held, c);
+    result.insert(result.end(), scene.constraints[to_index(c)].rows(),
+                  held ? Real(-1) : staged.restitution);
+  }
+  return result;
+}
+
 void check_impact(const model::Scene& scene, const program::Staged& staged, StateSource& source) {
   State state(staged.function.signature, source);
   const auto [values, least, left_out] = solved_values(staged, state);
@@ -343,11 +354,12 @@ void check_impact(const model::Scene& scene, const program::Staged& staged, Stat
       motion.add(i, -equations.inertia()[i][j] * minus[j]);
     }
   }
+  const Values of_before = shares_of_speed(scene, staged);
   Residual error(r);
   for (std::size_t k = 0; k < r; ++k) {
     for (std::size_t i = 0; i < minus.size(); ++i) {
       error.add(k, rows[k].J[i] * plus[i]);
-      error.add(k, staged.restitution * rows[k].J[i] * minus[i]);
+      error.add(k, of_before[k] * rows[k].J[i] * minus[i]);
     }
   }
   const Real of_inertia = least_pivot(equations);

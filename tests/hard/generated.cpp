@@ -247,10 +247,11 @@ void GeneratedMotion::record(const Fall& fall, const Moment& a, const Moment& b)
   result.qd_after = moved(b, fall.time - b.t).qd;
   if (fall.event != nullptr && fall.event->impact) {
     const auto all = formulate::impacts_of(scene_);
-    const auto used = std::find_if(all.begin(), all.end(), [&](const formulate::ImpactName& name) {
-      return name.constraints == fall.event->impact->constraints &&
-             name.restitution == fall.event->impact->restitution;
-    });
+    const formulate::ImpactName wanted =
+        formulate::impact_with(*fall.event->impact, fall.event->impact->restitution);
+    const auto used =
+        std::find_if(all.begin(), all.end(),
+                     [&](const formulate::ImpactName& impact) { return impact.same_as(wanted); });
     Arrays given = inputs(before);
     given["qd_minus"] = numbers(before.qd);
     result.impulse = vector(code_->call(used->name, given).at("P"));

@@ -91,7 +91,7 @@ Strike SimulatedMotion::strike_all() {
   std::iota(all.begin(), all.end(), 0);
   Strike result;
   result.qd = qd();
-  result.impulse = system().impact(time(), q(), result.qd, all, 0);
+  result.impulse = system().impact(time(), q(), result.qd, {all}, 0);
   system().constraints().activate(all);
   const simulation::Solution& solution = system().accelerate(time(), q(), result.qd);
   result.qdd = solution.qdd;

@@ -375,6 +375,28 @@ TEST(PhaseStep, IsRefusedWhereAnImpactStrikesAMovingConstraint) {
   EXPECT_EQ(run(command).status, 0);
 }
 
+/// A cart goes on at 2 m/s while its ball is thrown back by a slope.
+TEST(PhaseStep, AnImpactLeavesALedJointItsSpeed) {
+  for (const std::string lead : {"acceleration: 0", "at: 2*t"}) {
+    SCOPED_TRACE(lead);
+    const SceneCode scene(
+        fmt::format("scene: led\nmodel: {}\npoints: [{{name: tip, link: ball, at: [0, 0, 0]}}]\n"
+                    "effects:\n  locked_joint: [{{joint: x, {}}}]\n"
+                    "  point_constraint: [{{name: slope, point: tip, along: [[3, 0, 4]]}}]\n"
+                    "phases:\n  - name: fall\n    active: [x]\n    until: [{{touch_down: {{point: "
+                    "tip, normal: [3, 0, 4]}}, impact: {{constraints: [slope], restitution: 0.5}}, "
+                    "then: fall}}]\ninitial: {{q: {{height: 1}}, qd: {{x: 2}}}}\nduration: 1\n",
+                    model_path("cart_and_ball"), lead));
+    const Vector result = scene.code().call("impact", {{0, 0}, {2, -5}});
+    const double rebound = (-0.5 * (3 * 2 - 4 * 5) - 3 * 2) / 4;
+    const double push = (rebound + 5) / 0.8;
+    EXPECT_DOUBLE_EQ(result.at(0), 2);
+    EXPECT_NEAR(result.at(1), rebound, 1e-14);
+    EXPECT_NEAR(result.at(2), -0.6 * push, 1e-14);
+    EXPECT_NEAR(result.at(3), push, 1e-14);
+  }
+}
+
 TEST(PhaseStep, AnAdaptiveIntegratorHasNone) {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", walk("integrator: fehlberg78"));

@@ -374,6 +374,34 @@ TEST(Impact, LeavesOnItsRailWhatIsHeldThere) {
   }
 }
 
+/// The ball falls on a slope while its cart goes on at 2 m/s, however that is said.
+TEST(Impact, LeavesLedJointsTheirSpeed) {
+  for (const std::string lead : {"acceleration: 0", "at: 2*t", "acceleration: 0*t"}) {
+    SCOPED_TRACE(lead);
+    Running running(scene_of(
+        "scene: led\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
+        "/tests/scenes/models/cart_and_ball.yaml\npoints: [{name: tip, link: ball, at: "
+        "[0, 0, 0]}]\neffects:\n  gravity: [0, 0, -10]\n  locked_joint: [{joint: x, " +
+        lead +
+        "}]\n  point_constraint: [{name: slope, point: tip, along: [[3, 0, 4]]}]\nphases:\n"
+        "  - name: fall\n    active: [x]\n    until: [{touch_down: {point: tip, normal: "
+        "[3, 0, 4]}, impact: {constraints: [slope], restitution: 0.5}, then: fall}]\n"
+        "initial: {q: {height: 1}, qd: {x: 2}}\nduration: 2\n"));
+    running.advance_to(1);
+    ASSERT_FALSE(running.simulator.events().empty());
+    const EventRecord& impact = running.simulator.events().front();
+    // 3 (2 t) + 4 (1 - 5 t^2) = 0
+    const double t = 0.15 + std::sqrt(0.0225 + 0.2);
+    const double rebound = (-0.5 * (3 * 2 - 4 * 10 * t) - 3 * 2) / 4;
+    const double push = (rebound + 10 * t) / 0.8;
+    EXPECT_NEAR(impact.time, t, 1e-9);
+    EXPECT_NEAR(impact.qd_after[0], 2, 1e-9);
+    EXPECT_NEAR(impact.qd_after[1], rebound, 1e-8);
+    EXPECT_NEAR(impact.impulse[0], -0.6 * push, 1e-8);
+    EXPECT_NEAR(impact.impulse[1], push, 1e-8);
+  }
+}
+
 /// A four-bar has one freedom: where its loop stays closed all its speeds turn by the restitution.
 TEST(Impact, LeavesClosedWhatIsALoop) {
   Running running(scene_of(R"yaml(
