@@ -28,7 +28,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x53fa13a9c95417d6ULL;
+constexpr unsigned long long kDigest = 0xeaaab6668d81e379ULL;
 
 /// Index of every joint.
 namespace joint {

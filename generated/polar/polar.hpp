@@ -25,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xec521e7928837eb3ULL;
+constexpr unsigned long long kDigest = 0xae8b2899c9e9d014ULL;
 
 /// Index of every joint.
 namespace joint {

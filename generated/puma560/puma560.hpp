@@ -26,7 +26,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x9515a0585247da3eULL;
+constexpr unsigned long long kDigest = 0x23802fe573737d3bULL;
 
 /// Index of every joint.
 namespace joint {

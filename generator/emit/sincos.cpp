@@ -160,6 +160,11 @@ bool needs_no_numbers(const Target& target) { return target.lanes > 1 || target.
 constexpr const char* kFiniteMath =
     "    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \\\n";
 
+constexpr const char* kShortDouble =
+    "#if defined(__SIZEOF_DOUBLE__) && __SIZEOF_DOUBLE__ != 8\n"
+    "#error \"sine_cosine takes a double of 64 bits: --scalar float is for this compiler\"\n"
+    "#endif\n";
+
 constexpr const char* kCalled = "[[gnu::noinline]]";
 constexpr const char* kInline = "[[gnu::always_inline]] inline";
 
@@ -321,6 +326,7 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
     others.pop_back();
   }
   const std::string order = order_of_sums(
+      target.scalar,
       needs_no_numbers(target)
           ? "sine_cosine of lanes rounds by adding and subtracting, and tells what is no number: "
             "not for -ffast-math, -ffinite-math-only or x87"
@@ -328,11 +334,18 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
             "libm is",
       needs_no_numbers(target) ? kFiniteMath : "");
   return fill(template_text("sincos.cpp"),
-              {{"order_of_sums", order}, {"pair", pair}, {"others", others}});
+              {{"order_of_sums", target.scalar == Scalar::kDouble ? kShortDouble + order : order},
+               {"pair", pair},
+               {"others", others}});
 }
 
-std::string order_of_sums(const std::string& error, const std::string& finite) {
-  return fill(template_text("order_of_sums.cpp"), {{"finite", finite}, {"error", error}});
+std::string order_of_sums(Scalar scalar, const std::string& error, const std::string& finite) {
+  const bool wide = scalar == Scalar::kDouble;
+  return fill(template_text("order_of_sums.cpp"),
+              {{"finite", finite},
+               {"method", wide ? "__FLT_EVAL_METHOD__ != 1 && " : ""},
+               {"registers", wide ? "__SSE2__" : "__SSE__"},
+               {"error", error}});
 }
 
 std::string sincos_of_limbs(const Target& target, const std::string& functions) {

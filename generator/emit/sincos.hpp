@@ -17,9 +17,9 @@ std::size_t most_angles(Scalar scalar);
 /// True if the source defines sines and cosines: where some are needed that <cmath> does not give.
 bool has_sincos(const Unit& unit);
 
-/// What lets compilers keep the order of sums, or stops them with `error`.
+/// What lets compilers keep the order and the rounding of sums, or stops them with `error`.
 /// \param finite  a condition more, a line that ends in `|| \`
-std::string order_of_sums(const std::string& error, const std::string& finite = "");
+std::string order_of_sums(Scalar scalar, const std::string& error, const std::string& finite = "");
 
 /// Definitions of `sine_cosine` for Scalar, the same text for every model, and of `sin` and `cos`
 /// as far as `functions`, the text of those behind it, call them.

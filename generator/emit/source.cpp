@@ -58,7 +58,13 @@ std::string mathematics(const Unit& unit, const std::string& functions) {
     return cost.sin + cost.cos > 0 && !has_angles_of_limbs_alone(function, unit.target);
   });
   const bool others = !unit.checked.empty() || !unit.staged.empty() || !unit.steppers.empty();
-  result += has_sincos(unit) ? sincos_text(unit.target, functions, numbers || others) : "";
+  if (has_sincos(unit)) {
+    result += sincos_text(unit.target, functions, numbers || others);
+  } else if (std::ranges::any_of(unit.steppers, &program::Stepper::compensated)) {
+    result += '\n' + order_of_sums(unit.target.scalar,
+                                   "a compensated state is what sums round away: not for "
+                                   "-ffast-math or x87; --state plain is");
+  }
   return result + limb_vectors(unit.functions, unit.target, functions);
 }
 

@@ -97,12 +97,7 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
   if (stepper.ends()) {
     result += event_functions(stepper, target.scalar);
   }
-  const bool guarded = stepper.compensated && target.takes_libm();  // the pair has that guard
-  return result.empty() ? result
-                        : (guarded ? order_of_sums("a compensated state is what sums round away: "
-                                                   "not for -ffast-math; --state plain is")
-                                   : "") +
-                              "namespace {\n" + result + "\n}  // namespace\n\n";
+  return result.empty() ? result : "namespace {\n" + result + "\n}  // namespace\n\n";
 }
 
 }  // namespace

@@ -373,6 +373,28 @@ TEST(SineCosine, DoesNotCompileWhereItsRoundingWouldBeCancelled) {
   }
 }
 
+/// Of numbers that are wider in registers than in memory, and of a double that is none.
+TEST(SineCosine, DoesNotCompileForOtherFormatsOfNumbers) {
+  const treedyn::support::TemporaryFolder folder;
+  for (const auto& [source, options, error] :
+       {std::tuple<std::string, Options, std::string>{
+            "pair_double", {"-D__FLT_EVAL_METHOD__=-1"}, "x87"},
+        {"pair_double", {"-D__FLT_EVAL_METHOD__=2"}, "x87"},
+        {"pair_double", {"-D__i386__", "-U__SSE2__"}, "x87"},
+        {"pair_double", {"-D__FLT_EVAL_METHOD__=1"}, ""},
+        {"pair_double", {"-D__FLT_EVAL_METHOD__=16"}, ""},
+        {"pair_float", {"-D__FLT_EVAL_METHOD__=1"}, "x87"},
+        {"pair_float", {"-D__i386__", "-U__SSE2__"}, ""},
+        {"pair_double", {"-D__SIZEOF_DOUBLE__=4"}, "--scalar float"},
+        {"pair_float", {"-D__SIZEOF_DOUBLE__=4"}, ""}}) {
+    Options all = {"-Wno-builtin-macro-redefined", "-fsyntax-only"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Outcome outcome = compile(folder.path(), source, "g++", all);
+    EXPECT_EQ(outcome.err.find("#error") == std::string::npos, error.empty()) << outcome.err;
+    EXPECT_THAT(outcome.err, testing::HasSubstr(error)) << source << ' ' << options.front();
+  }
+}
+
 /// Parts of -ffast-math.
 const std::vector<Options> kParts = {
     {"-funsafe-math-optimizations"},
