@@ -639,6 +639,24 @@ TEST(Events, ThatHardlyLetTimeAdvanceEndTheMotion) {
   }
 }
 
+/// Each of its phases takes some steps, however short it is.
+TEST(Events, OfARockingBlockAreNamedAsWhatHoldsTimeBack) {
+  Running run(
+      scene_of("scene: rocking\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
+               "/tests/scenes/models/rocking_block.yaml\neffects:\n  gravity: [0, 0, "
+               "-9.81]\n  point_constraint:\n    - {name: left, point: left, along: [x, z]}\n"
+               "    - {name: right, point: right, along: [x, z]}\nphases:\n"
+               "  - {name: on_right, active: [right], until: [{touch_down: {point: left}, "
+               "impact: {constraints: [left]}, then: on_left}]}\n"
+               "  - {name: on_left, active: [left], until: [{touch_down: {point: right}, "
+               "impact: {constraints: [right]}, then: on_right}]}\n"
+               "initial: {q: {x_joint: 0.15*(1 - cos(0.1)), z_joint: 0.15*sin(0.1), tilt: "
+               "0.1}}\nduration: 9\n"));
+  const Recording recording = run.record(0.01);
+  EXPECT_EQ(recording.stopped.find("events hardly let time advance: "), 0U) << recording.stopped;
+  EXPECT_NE(recording.stopped.find("'touch_down of "), std::string::npos);
+}
+
 TEST(Events, CountAgainstTheStepsThatTheUserAllows) {
   Settings settings;
   settings.integrator = "rk4";
