@@ -52,19 +52,14 @@ std::string fields(const Unit& unit) {
   return result;
 }
 
-/// One value a line: a changed model changes one line, or all where it is the longest.
+/// One value a line, not aligned: a changed model changes one line.
 std::string nominal_values(const Unit& unit) {
-  std::vector<std::string> values;
-  std::size_t width = 0;
+  std::string result;
+  std::size_t k = 0;
+  const std::vector<std::string> names = field_names(*unit.tree);
   for (const model::Parameter& parameter : unit.tree->parameters) {
     const Real value = model::nominal(*unit.tree, unit.gravity, parameter);
-    values.push_back(literal(value, unit.target.scalar) + ",");
-    width = std::max(width, values.back().size());
-  }
-  std::string result;
-  const std::vector<std::string> names = field_names(*unit.tree);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    result += fmt::format("    {:{}}  // {}\n", values[k], width, names[k]);
+    result += fmt::format("    {},  // {}\n", literal(value, unit.target.scalar), names[k++]);
   }
   return result;
 }
@@ -112,6 +107,16 @@ std::string parameter_types(const Unit& unit) {
       derived_fields(unit));
 }
 
+namespace {
+
+/// With a point or an exponent: integers of a manifest are counts.
+std::string with_point(const Real& value) {
+  const std::string text = decimal(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+}  // namespace
+
 std::string parameters_json(const model::Tree& tree, const model::Vector3& gravity) {
   if (tree.parameters.empty()) {
     return {};
@@ -120,11 +125,12 @@ std::string parameters_json(const model::Tree& tree, const model::Vector3& gravi
   std::size_t k = 0;
   const std::vector<std::string> names = field_names(tree);
   for (const model::Parameter& parameter : tree.parameters) {
-    rows.push_back(json_object({{"field", json_string(names[k++])},
-                                {"declared", json_string(parameter.declared)},
-                                {"link", json_string(model::link_name(tree, parameter))},
-                                {"unit", json_string(model::unit(parameter))},
-                                {"nominal", decimal(model::nominal(tree, gravity, parameter))}}));
+    rows.push_back(
+        json_object({{"field", json_string(names[k++])},
+                     {"declared", json_string(parameter.declared)},
+                     {"link", json_string(model::link_name(tree, parameter))},
+                     {"unit", json_string(model::unit(parameter))},
+                     {"nominal", with_point(model::nominal(tree, gravity, parameter))}}));
   }
   return fmt::format(",\n  \"parameters\": {}", json_lines(rows, 4));
 }

@@ -306,6 +306,20 @@ TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
 }
 
+TEST_F(Cli, AnotherNominalValueIsNoOtherStructure) {
+  const auto run = [&](const char* command, const char* mass) {
+    return treedyn({command, one_joint(std::string(mass) + "\n    runtime: [mass]"), "-o", out(),
+                    "--effort", "0"});
+  };
+  ASSERT_EQ(run("generate", "2.5").status, 0);
+  for (const char* const mass : {"3.5", "3", "1e3", "3.4567891"}) {
+    const Outcome outcome = run("check", mass);
+    for (const char* const part : {"one.hpp", "one.json"}) {
+      EXPECT_THAT(outcome.out, HasSubstr(file(part).string() + ": constants only, ")) << mass;
+    }
+  }
+}
+
 TEST_F(Cli, AnotherNameOfTheModelsFileIsNoOtherStructure) {
   std::string model = read_file(kModel);
   const std::size_t at = model.find("mass: ");
