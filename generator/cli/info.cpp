@@ -96,30 +96,13 @@ std::string cost_table(const Model& model, const Request& request,
   return "\nfunctions, operations in one call\n" + table(rows);
 }
 
-/// "+12 mul, -1 add": what an effect adds.
-std::string change_text(const program::Cost& with, const program::Cost& without) {
-  std::string result;
-  const auto add = [&](int more, const char* what) {
-    if (more != 0) {
-      result += fmt::format("{}{:+} {}", result.empty() ? "" : ", ", more, what);
-    }
-  };
-  add(with.mul - without.mul, "mul");
-  add(with.add - without.add, "add");
-  add(with.div - without.div, "div");
-  add(with.sqrt - without.sqrt, "sqrt");
-  add(with.sin - without.sin, "sin");
-  add(with.cos - without.cos, "cos");
-  return result.empty() ? "0" : result;
-}
-
 /// \param head  of the first column
 std::string price_table(const char* head, const std::vector<Price>& prices) {
   Rows rows = {{head, "function", "without", "with", "price"}};
   for (const Price& price : prices) {
     rows.push_back({shown(price.of), price.function.empty() ? "none" : price.function,
                     std::to_string(price.without.total()), std::to_string(price.with.total()),
-                    change_text(price.with, price.without)});
+                    emit::change_text(price.with, price.without)});
   }
   return table(rows);
 }

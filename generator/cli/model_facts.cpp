@@ -2,6 +2,7 @@
 
 #include "block/pattern.hpp"
 #include "common/identifier.hpp"
+#include "equations/kinematics.hpp"
 #include "stages/checked_siblings.hpp"
 
 namespace treedyn {
@@ -9,12 +10,8 @@ namespace treedyn {
 bool is_revolute(const model::Link& link) { return link.joint.type == model::JointType::kRevolute; }
 
 std::vector<std::string> reachability_rows(const model::Tree& tree) {
-  block::Index index;
-  for (const model::Link& link : tree.links) {
-    index.father.push_back(link.father);
-    index.revolute.push_back(is_revolute(link));
-  }
-  std::vector<std::string> rows = split(block::to_text(block::reachability(index)), '\n');
+  std::vector<std::string> rows =
+      split(block::to_text(block::reachability(equations::index_of(tree, {}))), '\n');
   rows.resize(tree.links.size());
   return rows;
 }
@@ -34,20 +31,12 @@ std::vector<Priced> priced(const Model& model, const Request& request,
     const program::Function& update = *programs.update;
     result.push_back({update.signature, program::cost(update)});
   }
-  for (const program::Function& function : programs.functions) {
-    result.push_back({function.signature, program::cost(function)});
-  }
-  if (request.checked) {
-    for (const emit::Checked& checked : checked_siblings(model, programs.functions)) {
-      result.push_back({checked.signature, emit::cost(checked)});
-    }
-  }
-  for (const program::Staged& staged : programs.staged) {
-    result.push_back({staged.signature, program::cost(staged)});
-  }
-  for (const program::Stepper& stepper : programs.steppers) {
-    result.push_back({stepper.signature, program::step_cost(stepper)});
-  }
+  emit::each_cost(
+      programs,
+      request.checked ? checked_siblings(model, programs.functions) : std::vector<emit::Checked>(),
+      [&](const program::Signature& signature, const program::Cost& cost) {
+        result.push_back({signature, cost});
+      });
   return result;
 }
 

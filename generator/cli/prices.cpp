@@ -18,15 +18,10 @@ using Costs = std::map<std::string, program::Cost>;
 /// Of all functions, in the order of the programs.
 std::vector<std::pair<std::string, program::Cost>> costs(const program::Programs& programs) {
   std::vector<std::pair<std::string, program::Cost>> result;
-  for (const program::Function& function : programs.functions) {
-    result.emplace_back(function.signature.name, program::cost(function));
-  }
-  for (const program::Staged& staged : programs.staged) {
-    result.emplace_back(staged.signature.name, program::cost(staged));
-  }
-  for (const program::Stepper& stepper : programs.steppers) {
-    result.emplace_back(stepper.signature.name, program::step_cost(stepper));
-  }
+  emit::each_cost(programs, {},
+                  [&](const program::Signature& signature, const program::Cost& cost) {
+                    result.emplace_back(signature.name, cost);
+                  });
   return result;
 }
 

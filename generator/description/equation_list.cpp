@@ -77,24 +77,15 @@ Parameters read_parameters(const std::string& file, const Node& node) {
   return result;
 }
 
-const Node* entry(const Node& root, std::string_view key) {
-  for (const Node& item : root.items) {
-    if (item.key.text == key) {
-      return &item;
-    }
-  }
-  return nullptr;
-}
-
 std::vector<model::EquationText> read_all(const Node& root, const std::string& file) {
-  const Node* const equations = entry(root, "equations");
+  const Node* const equations = find(root, "equations");
   if (equations == nullptr) {
     return {};
   }
   if (equations->kind != NodeKind::kSequence) {
     throw InputError(equations->where.in(file), "equations: is no list; expected one");
   }
-  const Node* const parameters = entry(root, "parameters");
+  const Node* const parameters = find(root, "parameters");
   const Parameters values =
       parameters == nullptr ? Parameters{} : read_parameters(file, *parameters);
   std::vector<model::EquationText> result;

@@ -45,11 +45,7 @@ void Fields::fail(const Place& where, const std::string& message) const {
   throw InputError(where.in(file_), fmt::format("{}: {}", what_, message));
 }
 
-const Node* Fields::find(std::string_view key) const {
-  const auto item =
-      std::ranges::find_if(node_.items, [key](const Node& n) { return n.key.text == key; });
-  return item == node_.items.end() ? nullptr : &*item;
-}
+const Node* Fields::find(std::string_view key) const { return description::find(node_, key); }
 
 const Node& Fields::get(std::string_view key) const {
   const Node* const node = find(key);

@@ -114,13 +114,11 @@ void SceneEffects::check_on(const SceneFields& root, const Node* effects) const 
     const bool has_values = effect == "velocity_products" || effect == "impact" ||
                             effect == "stabilisation" || acting_.count(effect) > 0;
     if (use == Use::kOn && !has_values) {
-      const Node& node = root.get("use");
-      const auto item = std::ranges::find_if(
-          node.items, [&name = effect](const Node& n) { return n.key.text == name; });
-      root.fail(item->where, fmt::format("effect '{}' is on and {}; expected {}", effect,
-                                         effects == nullptr ? "there are no effects"
-                                                            : "nothing in 'effects' acts",
-                                         "an entry that is not off"));
+      root.fail(
+          find(root.get("use"), effect)->where,
+          fmt::format("effect '{}' is on and {}; expected {}", effect,
+                      effects == nullptr ? "there are no effects" : "nothing in 'effects' acts",
+                      "an entry that is not off"));
     }
   }
 }

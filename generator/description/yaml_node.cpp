@@ -334,4 +334,10 @@ Node parse_yaml_node(const std::string& text, const std::string& file, const std
   return builder.take_root();
 }
 
+const Node* find(const Node& mapping, std::string_view key) {
+  const auto item =
+      std::ranges::find_if(mapping.items, [key](const Node& n) { return n.key.text == key; });
+  return item == mapping.items.end() ? nullptr : &*item;
+}
+
 }  // namespace treedyn::description

@@ -19,6 +19,9 @@ struct Node {
   Place where;
 };
 
+/// The entry of a mapping; null if there is none.
+const Node* find(const Node& mapping, std::string_view key);
+
 /// Reads one YAML document; keys of a mapping are scalars and different.
 ///
 /// Anchors, aliases and tags are refused; nesting and the number of values are bounded. Linear (n

@@ -79,12 +79,10 @@ void read_point(const Node& node, std::size_t index, RawTree& raw) {
 
 /// A scene where a model belongs is a slip that deserves better words than an unknown key.
 void refuse_scene(const Node& root, const std::string& file) {
-  for (const Node& item : root.items) {
-    if (item.key.text == "scene") {
-      throw InputError(item.key.where.in(file),
-                       "is a scene; expected a tree description; generate, check, outputs and "
-                       "info take it as --scene");
-    }
+  if (const Node* const scene = find(root, "scene")) {
+    throw InputError(scene->key.where.in(file),
+                     "is a scene; expected a tree description; generate, check, outputs and info "
+                     "take it as --scene");
   }
 }
 

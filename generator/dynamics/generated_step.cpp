@@ -1,7 +1,5 @@
 #include "dynamics/generated_step.hpp"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -9,10 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "common/error.hpp"
+#include "dynamics/shared_library.hpp"
 #include "emit/template_file.hpp"
-#include "system/compiler.hpp"
-#include "system/files.hpp"
 
 namespace treedyn {
 
@@ -59,43 +55,16 @@ Pointers pointers(const std::vector<GeneratedStep::Values*>& arrays) {
 
 }  // namespace
 
-/// A shared library; its file may vanish while it is in use.
-class GeneratedStep::Library {
- public:
-  using Step = int (*)(const long double* const*, long double* const*);
-  using Events = int (*)(int, long double*);
-  using RepeatedSoOften = long (*)(int);
-  using Repeat = void (*)(const long double* const*, long);
+struct GeneratedStep::Library {
+  explicit Library(const std::vector<emit::File>& files)
+      : code("the generated step", files, {"-ffp-contract=off"}) {}
 
-  explicit Library(const std::string& path)
-      : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)),
-        step_(find<Step>("treedyn_step")),
-        events_(find<Events>("treedyn_event_of_step")),
-        repeated_(find<RepeatedSoOften>("treedyn_repeated")),
-        repeat_(find<Repeat>("treedyn_repeat")) {
-    if (step_ == nullptr || events_ == nullptr || repeated_ == nullptr || repeat_ == nullptr) {
-      throw InputError({}, "the generated step, compiled, cannot be loaded");
-    }
-  }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-  ~Library() { ::dlclose(handle_); }
-  [[nodiscard]] Step step() const { return step_; }
-  [[nodiscard]] Events events() const { return events_; }
-  [[nodiscard]] RepeatedSoOften repeated() const { return repeated_; }
-  [[nodiscard]] Repeat repeat() const { return repeat_; }
-
- private:
-  template <class Function>
-  [[nodiscard]] Function find(const char* name) const {
-    return handle_ == nullptr ? nullptr : reinterpret_cast<Function>(::dlsym(handle_, name));
-  }
-
-  void* handle_;
-  Step step_;
-  Events events_;
-  RepeatedSoOften repeated_;
-  Repeat repeat_;
+  SharedLibrary code;
+  int (*step)(const long double* const*,
+              long double* const*) = code.find<decltype(step)>("treedyn_step");
+  int (*events)(int, long double*) = code.find<decltype(events)>("treedyn_event_of_step");
+  long (*repeated)(int) = code.find<decltype(repeated)>("treedyn_repeated");
+  void (*repeat)(const long double* const*, long) = code.find<decltype(repeat)>("treedyn_repeat");
 };
 
 GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
@@ -104,27 +73,9 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
   for (const program::StepPhase& phase : stepper_.phases) {
     repeated_.resize(std::max(repeated_.size(), program::repeated_costs(stepper_, phase).size()));
   }
-  const TemporaryFolder folder;
-  const auto path = [&](const std::string& file) {
-    return (folder.path() / file).string();
-  };
-  std::vector<std::string> command = find_compiler(path("version"));
-  if (command.empty()) {
-    throw InputError(
-        {}, "the generated step: no C++ compiler found; expected $CXX, c++, g++ or clang++");
-  }
-  std::vector<OutputFile> sources = {
-      {path("adapter.cpp"), adapter(name, stepper_.signature, repeated_.size())}};
-  for (const emit::File& file : files) {
-    sources.push_back({path(file.name), file.text});
-  }
-  write_files(sources);
-  command.insert(command.end(), {"-std=c++11", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
-                                 path("adapter.cpp"), path(name + ".cpp"), "-o", path("step.so")});
-  if (!succeeds(command, path("log"))) {
-    throw InputError({}, "the generated step does not compile; expected a C++11 compiler");
-  }
-  library_ = std::make_unique<Library>(path("step.so"));
+  std::vector<emit::File> sources = files;
+  sources.push_back({"adapter.cpp", adapter(name, stepper_.signature, repeated_.size())});
+  library_ = std::make_unique<Library>(sources);
   for (const program::Array& array : stepper_.signature.arrays()) {
     values_[array.name].resize(static_cast<std::size_t>(array.size));
   }
@@ -155,7 +106,7 @@ double GeneratedStep::seconds() {
   const Pointers in = pointers(in_);
   const auto time = [&](long count) {
     const auto start = std::chrono::steady_clock::now();
-    library_->repeat()(in.data(), count);
+    library_->repeat(in.data(), count);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   long count = 1;
@@ -170,16 +121,16 @@ double GeneratedStep::seconds() {
 }
 
 int GeneratedStep::call() {
-  const int status = library_->step()(pointers(in_).data(), pointers(out_).data());
+  const int status = library_->step(pointers(in_).data(), pointers(out_).data());
   for (std::size_t what = 0; what < repeated_.size(); ++what) {
-    repeated_[what] = library_->repeated()(static_cast<int>(what));
+    repeated_[what] = library_->repeated(static_cast<int>(what));
   }
   // a step with events tells every integration; the first belongs to all
   long& advances = repeated_[static_cast<std::size_t>(program::Repeated::kAdvance)];
   advances = std::max(advances - 1, 0L);
   events_.clear();
   SteppedEvent event;
-  while ((event.number = library_->events()(static_cast<int>(events_.size()), &event.at)) >= 0) {
+  while ((event.number = library_->events(static_cast<int>(events_.size()), &event.at)) >= 0) {
     events_.push_back(event);
   }
   for (const auto& [from, to] : carried_) {

@@ -45,7 +45,7 @@ class GeneratedStep {
   [[nodiscard]] const program::Repetitions& repeated() const { return repeated_; }
 
  private:
-  class Library;
+  struct Library;
 
   program::Stepper stepper_;
   std::map<std::string, Values> values_;

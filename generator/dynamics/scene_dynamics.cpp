@@ -16,23 +16,10 @@ namespace treedyn {
 
 namespace {
 
-/// The formulation that comes first, without a search: quick to make for any tree.
-program::Function function_of(const model::Scene& scene, const std::string& name) {
-  formulate::Options options;
-  options.gravity = scene.gravity;
-  options.points = scene.points;
-  options.effort = 0;
-  program::Function function = formulate::build(scene.tree, formulate::recipe_of(name), options,
-                                                formulate::plain_variant(scene.tree));
-  function.signature =
-      formulate::signature(name, scene.tree.dof(), static_cast<int>(scene.points.size()));
-  return function;
-}
-
 program::Function combined(const model::Scene& scene, const std::vector<std::string>& names,
                            const std::vector<std::string>& inputs) {
-  const std::vector<program::Function> functions =
-      transformed(names, [&](const std::string& name) { return function_of(scene, name); });
+  const std::vector<program::Function> functions = transformed(
+      names, [&](const std::string& name) { return formulate::plain_function(scene, name); });
   const std::vector<program::Array> arrays = transformed(inputs, [&](const std::string& input) {
     return program::Array{input, scene.tree.dof(), ""};
   });
@@ -126,20 +113,10 @@ class EngineDynamics final : public simulation::Dynamics {
 
 }  // namespace
 
-simulation::Needs needs_of(const model::Scene& scene) {
-  simulation::Needs needs;
-  needs.points = !scene.points.empty();
-  needs.rotations = model::has_moments(scene) ||
-                    std::ranges::any_of(scene.constraints, [](const model::Constraint& c) {
-                      return c.kind == model::ConstraintKind::kOrientation;
-                    });
-  return needs;
-}
-
 ScenePrograms scene_programs(const model::Scene& scene) {
   std::vector<std::string> terms = {"mass_matrix", "inverse_dynamics"};
   std::vector<std::string> geometry;
-  const simulation::Needs needs = needs_of(scene);
+  const simulation::Needs needs = simulation::needs_of(scene);
   if (needs.points) {
     terms.insert(terms.end(),
                  {"point_positions", "force_jacobian_transpose", "point_bias_acceleration"});

@@ -9,9 +9,6 @@
 
 namespace treedyn {
 
-/// What the effects of a scene ask of its points.
-simulation::Needs needs_of(const model::Scene& scene);
-
 /// The terms of the equations of motion and, of q alone, what places the points.
 struct ScenePrograms {
   program::Function terms;     ///< the arrays of simulation::Terms, those that are needed

@@ -1,5 +1,7 @@
 #include "emit/layout.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 namespace treedyn::emit {
@@ -120,20 +122,44 @@ std::string camel_case(const std::string& name) {
   return result;
 }
 
-std::string cost_text(const program::Cost& cost) {
+namespace {
+
+struct CountName {
+  int program::Cost::*count;
+  const char* name;
+};
+
+constexpr std::array<CountName, 6> kCounts = {{{&program::Cost::mul, "mul"},
+                                               {&program::Cost::add, "add"},
+                                               {&program::Cost::div, "div"},
+                                               {&program::Cost::sqrt, "sqrt"},
+                                               {&program::Cost::sin, "sin"},
+                                               {&program::Cost::cos, "cos"}}};
+
+/// \param text  of a count
+template <class Text>
+std::string counts_text(const program::Cost& cost, const char* nothing, Text text) {
   std::string result;
-  const auto add = [&](int count, const char* what) {
-    if (count > 0) {
-      result += fmt::format("{}{} {}", result.empty() ? "" : ", ", count, what);
+  for (const CountName& of : kCounts) {
+    if (const int count = cost.*of.count; count != 0) {
+      result += fmt::format("{}{} {}", result.empty() ? "" : ", ", text(count), of.name);
     }
-  };
-  add(cost.mul, "mul");
-  add(cost.add, "add");
-  add(cost.div, "div");
-  add(cost.sqrt, "sqrt");
-  add(cost.sin, "sin");
-  add(cost.cos, "cos");
-  return result.empty() ? "none" : result;
+  }
+  return result.empty() ? nothing : result;
+}
+
+}  // namespace
+
+std::string cost_text(const program::Cost& cost) {
+  return counts_text(cost, "none", [](int count) { return fmt::format("{}", count); });
+}
+
+std::string change_text(const program::Cost& with, const program::Cost& without) {
+  program::Cost change;
+  for (const CountName& of : kCounts) {
+    change.*of.count = with.*of.count - without.*of.count;
+  }
+  return counts_text(change, "0", [](int count) { return fmt::format("{:+}", count); });
 }
 
 void append(Lines& lines, const Lines& more, const std::string& indentation) {

@@ -56,5 +56,7 @@ std::string camel_case(const std::string& name);
 
 /// "12 mul, 8 add, 1 sin"; "none" if nothing is computed.
 std::string cost_text(const program::Cost& cost);
+/// "+12 mul, -1 add", or "0": what is more of them.
+std::string change_text(const program::Cost& with, const program::Cost& without);
 
 }  // namespace treedyn::emit

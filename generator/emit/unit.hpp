@@ -73,6 +73,24 @@ std::string cycles_text(double cycles);
 /// Operations of all functions together, of the dearest calls.
 program::Cost total_cost(const Unit& unit);
 
+/// Calls `visit(signature, cost of one call)` for all functions in their order in the header.
+/// \param all  a Unit, or program::Programs
+template <class All, class Visit>
+void each_cost(const All& all, const std::vector<Checked>& siblings, Visit visit) {
+  for (const program::Function& function : all.functions) {
+    visit(function.signature, program::cost(function));
+  }
+  for (const Checked& sibling : siblings) {
+    visit(sibling.signature, cost(sibling));
+  }
+  for (const program::Staged& staged : all.staged) {
+    visit(staged.signature, program::cost(staged));
+  }
+  for (const program::Stepper& stepper : all.steppers) {
+    visit(stepper.signature, program::step_cost(stepper));
+  }
+}
+
 struct File {
   std::string name;
   std::string text;

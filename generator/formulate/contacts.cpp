@@ -13,11 +13,6 @@ const model::GroundContact& contact_of(const Task& task) {
   return task.options.scene->contacts[to_index(task.options.contact)];
 }
 
-Expr input(const Task& task, int array, int element) {
-  Graph& graph = task.kinematics.graph();
-  return {graph, graph.input(array, element)};
-}
-
 Expr depth_of(const Task& task, const model::Plane& plane, const Vec3& p) {
   Graph& graph = task.kinematics.graph();
   return constant(graph, plane.height) - dot(constant(graph, plane.normal), p);
@@ -55,7 +50,8 @@ Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& sl
       case model::Quantity::kDepth:
         return depth;
       case model::Quantity::kRaisedDepth:
-        return needs_power(c) ? input(task, power_array, 0) : power(graph, depth, c.exponent);
+        return needs_power(c) ? input(task.kinematics.graph(), power_array, 0)
+                              : power(graph, depth, c.exponent);
       case model::Quantity::kNormalSpeed:
         return slip.normal;
       default:
@@ -92,14 +88,14 @@ std::vector<Expr> build_contact_press(const Task& task) {
   const SceneForces forces(task, {.tau = -1});
   const model::GroundContact& c = contact_of(task);
   const Slip slip = slip_of(task, forces);
-  const Expr depth = input(task, kDepthArray, task.options.contact);
+  const Expr depth = input(task.kinematics.graph(), kDepthArray, task.options.contact);
   std::vector<Expr> result = {law(task, forces, depth, slip, kForceArray + 1)};
-  const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
+  const Vec3 f = force(task, input(task.kinematics.graph(), kNormalArray, 0), slip);
   const std::vector<Expr> Q = build_loaded(
       task, *derived("applied_force"), {{task.options.scene->points[to_index(c.point)]}, {f}, {{}}},
       task.kinematics.variant().way);
   for (int i = 0; i < task.tree.dof(); ++i) {
-    result.push_back(input(task, kForceArray, i) + Q[to_index(i)]);
+    result.push_back(input(task.kinematics.graph(), kForceArray, i) + Q[to_index(i)]);
   }
   return result;
 }
@@ -108,8 +104,8 @@ std::vector<Expr> build_contact_force(const Task& task) {
   const SceneForces forces(task, {.tau = -1});
   const model::GroundContact& c = contact_of(task);
   const Slip slip = slip_of(task, forces);
-  const Expr depth = input(task, kDepthArray, 0);
-  const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
+  const Expr depth = input(task.kinematics.graph(), kDepthArray, 0);
+  const Vec3 f = force(task, input(task.kinematics.graph(), kNormalArray, 0), slip);
   const Expr height = depth_of(task, c.plane, forces.position(c.point));
   return {height, law(task, forces, depth, slip, kNormalArray + 1), f[0], f[1], f[2]};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/scene.hpp"
 #include "optimise/optimise.hpp"
 #include "program/canonical.hpp"
 #include "program/random.hpp"
@@ -175,6 +176,17 @@ Built Formulations::made(const Variant& used, const NormalTree& normal, bool in_
   }
   function = program::fold_limb_constants(function, limbs.table);
   return {std::move(function), std::move(limbs.table)};
+}
+
+program::Function plain_function(const model::Scene& scene, const std::string& name) {
+  Options options;
+  options.gravity = scene.gravity;
+  options.points = scene.points;
+  options.effort = 0;
+  program::Function function =
+      formulate::build(scene.tree, recipe_of(name), options, plain_variant(scene.tree));
+  function.signature = signature(name, scene.tree.dof(), static_cast<int>(scene.points.size()));
+  return function;
 }
 
 }  // namespace treedyn::formulate

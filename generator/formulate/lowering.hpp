@@ -127,7 +127,6 @@ class Lowering {
   [[nodiscard]] bool has_tensors() const { return task_.kinematics.variant().inertia_tensor; }
   [[nodiscard]] int meeting(const Value& v, int e) const;
   [[nodiscard]] Expr number(const Real& x) const;
-  [[nodiscard]] Expr element(int array, int k) const;
   [[nodiscard]] Graph& graph() const { return task_.kinematics.graph(); }
 
   const Task& task_;

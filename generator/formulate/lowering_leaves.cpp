@@ -60,8 +60,6 @@ Real Lowering::reciprocal(const block::Expression& divisor) const {
                                              masses, std::identity());
 }
 
-Expr Lowering::element(int array, int k) const { return {graph(), graph().input(array, k)}; }
-
 /// Joint values of a link are multiples of its coordinate's.
 Block Lowering::input(const Value& v, const equations::UserArgument& argument, int array,
                       int e) const {
@@ -74,14 +72,14 @@ Block Lowering::input(const Value& v, const equations::UserArgument& argument, i
     return {task_.kinematics.of_joint(e, of_joint), {}, {}};
   }
   if (v.type == Type::kScalar) {
-    return {element(array, e), {}, {}};
+    return {program::input(graph(), array, e), {}, {}};
   }
   if (const PointLoads* const loads = task_.kinematics.loads()) {
     return {{}, {{kBase, (argument.name == "f" ? loads->f : loads->n)[to_index(e)]}}, {}};
   }
   Vec3 x;
   for (int k = 0; k < 3; ++k) {
-    x[to_index(k)] = element(array, 3 * e + k);
+    x[to_index(k)] = program::input(graph(), array, 3 * e + k);
   }
   return {{}, {{kBase, x}}, {}};
 }

@@ -50,8 +50,7 @@ SceneForces::SceneForces(const Task& task, const SceneArrays& arrays)
 
 Expr SceneForces::input(int array, int element) const {
   TREEDYN_EXPECT(array >= 0);
-  Graph& graph = task_.kinematics.graph();
-  return {graph, graph.input(array, element)};
+  return program::input(task_.kinematics.graph(), array, element);
 }
 
 Expr SceneForces::joint(int joint) const {

@@ -23,11 +23,11 @@ Expr pull(const Task& task, const Event& event, int lambda) {
   for (const int c : task.options.active) {
     const model::Constraint& constraint = scene.constraints[to_index(c)];
     for (std::size_t k = 0; c == event.constraint && k < constraint.directions.size(); ++k) {
-      const Expr reaction(graph, graph.input(lambda, row + static_cast<int>(k)));
+      const Expr reaction = input(graph, lambda, row + static_cast<int>(k));
       sum += constant(graph, dot(event.plane.normal, constraint.directions[k])) * reaction;
     }
     if (c == event.constraint && constraint.kind == model::ConstraintKind::kJoint) {
-      const Expr reaction(graph, graph.input(lambda, row));
+      const Expr reaction = input(graph, lambda, row);
       sum += constant(graph, event.plane.normal[0]) * reaction;
     }
     row += static_cast<int>(constraint.rows());

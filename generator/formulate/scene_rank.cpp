@@ -17,17 +17,6 @@ namespace {
 using Doubles = std::vector<double>;
 using model::ConstraintKind;
 
-/// One formulation, without a search.
-program::Function function_of(const model::Scene& scene, const char* name) {
-  Options options;
-  options.points = scene.points;
-  options.effort = 0;
-  program::Function function =
-      build(scene.tree, recipe_of(name), options, plain_variant(scene.tree));
-  function.signature = signature(name, scene.tree.dof(), static_cast<int>(scene.points.size()));
-  return function;
-}
-
 }  // namespace
 
 /// p (3 P), C and H (N x 3 P), R (9 P).
@@ -43,7 +32,7 @@ ScenePositions::ScenePositions(const model::Scene& scene)
   if (!scene.points.empty()) {
     for (const char* name : {"point_positions", "force_jacobian_transpose",
                              "moment_jacobian_transpose", "point_rotations"}) {
-      functions_.push_back(function_of(scene, name));
+      functions_.push_back(plain_function(scene, name));
     }
   }
 }

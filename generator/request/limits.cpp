@@ -25,21 +25,12 @@ void require(const Location& where, const char* what, long count, const char* of
   }
 }
 
-/// By link, the joints between it and the ground.
-std::vector<long> path_lengths(const model::Tree& tree) {
-  std::vector<long> result;
-  for (const model::Link& link : tree.links) {
-    result.push_back(1 + (link.father == model::kGround ? 0 : result[to_index(link.father)]));
-  }
-  return result;
-}
-
 }  // namespace
 
 void require_size(const model::Tree& tree, const std::vector<model::Point>& points,
                   const Location& where) {
   require(where, "the model has", tree.size(), "joints that move", kMostJoints);
-  const std::vector<long> depth = path_lengths(tree);
+  const std::vector<int> depth = model::depths(tree);
   require(where, "the paths from the links of the model to the ground have",
           std::accumulate(depth.begin(), depth.end(), 0L), "joints in all", kMostPathJoints);
   require(where, "the model has", static_cast<long>(points.size()), "points", kMostPoints);

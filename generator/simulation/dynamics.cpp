@@ -2,7 +2,16 @@
 
 #include <algorithm>
 
+#include "model/force_laws.hpp"
+
 namespace treedyn::simulation {
+
+Needs needs_of(const model::Scene& scene) {
+  const bool holds = std::ranges::any_of(scene.constraints, [](const model::Constraint& c) {
+    return c.kind == model::ConstraintKind::kOrientation;
+  });
+  return {!scene.points.empty(), model::has_moments(scene) || holds};
+}
 
 Terms::Terms(int dof, int points, Needs needs) : dof_(dof), points_(points), needs_(needs) {
   const auto n = static_cast<std::size_t>(dof);

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "model/scene.hpp"
+
 namespace treedyn::simulation {
 
 using Vector = Eigen::VectorXd;
@@ -19,6 +21,8 @@ struct Needs {
   bool points = false;     ///< p, C, gamma_f
   bool rotations = false;  ///< R, H, gamma_n
 };
+/// By the effects of a scene.
+Needs needs_of(const model::Scene& scene);
 
 /// The functions of INTERFACE.md 3 in one state, one array behind the other.
 class Terms {

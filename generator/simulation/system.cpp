@@ -15,13 +15,6 @@ namespace treedyn::simulation {
 
 namespace {
 
-Needs needs_of(const model::Scene& scene) {
-  const bool holds = std::ranges::any_of(scene.constraints, [](const model::Constraint& c) {
-    return c.kind == model::ConstraintKind::kOrientation;
-  });
-  return {!scene.points.empty(), model::has_moments(scene) || holds};
-}
-
 double largest(const Vector& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "stages/writing.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 
 #include "accuracy/core.hpp"
 #include "common/decimal.hpp"
+#include "emit/layout.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/functions.hpp"
 #include "formulate/stand_ins.hpp"
@@ -37,17 +37,7 @@ program::Packing packing_of(const Model& model, const Request& request,
 }
 
 /// Names of constants begin so: kMassMatrix for mass_matrix.
-std::string constants_of(const std::string& function) {
-  std::string result = "k";
-  bool capital = true;
-  for (const char c : function) {
-    if (c != '_') {
-      result += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    }
-    capital = c == '_';
-  }
-  return result;
-}
+std::string constants_of(const std::string& function) { return "k" + emit::camel_case(function); }
 
 bool has_mass_matrix(const program::Function& function) {
   return std::ranges::find(function.signature.outputs, "A", &program::Array::name) !=
@@ -117,21 +107,10 @@ emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit)
   if (unit.target.lanes > 1 || unit.target.limb_lanes) {
     return result;  // the table is of scalars
   }
-  const auto add = [&](const std::string& name, const program::Cost& cost) {
-    result.cycles.emplace_back(name, accuracy::cycles(cost, core, build));
+  const auto add = [&](const program::Signature& signature, const program::Cost& cost) {
+    result.cycles.emplace_back(signature.name, accuracy::cycles(cost, core, build));
   };
-  for (const program::Function& function : unit.functions) {
-    add(function.signature.name, program::cost(function));
-  }
-  for (const emit::Checked& checked : unit.checked) {
-    add(checked.signature.name, emit::cost(checked));
-  }
-  for (const program::Staged& staged : unit.staged) {
-    add(staged.signature.name, program::cost(staged));
-  }
-  for (const program::Stepper& stepper : unit.steppers) {
-    add(stepper.signature.name, program::step_cost(stepper));
-  }
+  emit::each_cost(unit, unit.checked, add);
   return result;
 }
 

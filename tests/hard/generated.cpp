@@ -39,7 +39,7 @@ GeneratedMotion::GeneratedMotion(const model::Scene& scene, std::shared_ptr<cons
       h_(static_cast<double>(scene.stepping.step)),
       dynamics_(program_dynamics(scene)),
       system_(scene, *dynamics_, 0),
-      terms_(scene.tree.dof(), static_cast<int>(scene.points.size()), needs_of(scene)) {
+      terms_(scene.tree.dof(), static_cast<int>(scene.points.size()), simulation::needs_of(scene)) {
   const auto in_scalar = [&](const std::vector<Real>& x) {
     Vector result(static_cast<Eigen::Index>(x.size()));
     std::transform(x.begin(), x.end(), result.begin(),
