@@ -64,6 +64,7 @@ std::string mathematics(const Unit& unit, const std::string& functions) {
     result += '\n' + order_of_sums(unit.target.scalar,
                                    "a compensated state is what sums round away: not for "
                                    "-ffast-math or x87; --state plain is");
+    result.pop_back();  // functions begin with an empty line
   }
   return result + limb_vectors(unit.functions, unit.target, functions);
 }

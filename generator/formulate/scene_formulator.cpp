@@ -272,7 +272,12 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   staged.levels = {0, 0, 1};
   staged.gates = {program::Gate::kSolve};
   staged.solves = {solve_of(staged.function, r, impact.constraints)};
-  staged.signature.rows = row_names(scene_, impact.constraints);
+  for (const int c : impact.constraints) {
+    const bool held = std::ranges::binary_search(impact.held, c);
+    for (const std::string& row : row_names(scene_, {c})) {
+      staged.signature.rows.push_back(row + (held ? ", led through it" : ""));
+    }
+  }
   staged.constraints = impact.constraints;
   staged.restitution = impact.restitution.plain();
   staged.held = impact.held;

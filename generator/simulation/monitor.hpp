@@ -38,7 +38,8 @@ struct Bounds {
 
 /// A warning: what was noticed first, and the worst of it.
 struct Notice {
-  std::string kind;  ///< drift, residual, energy, guard, position, speed, pull, branch, step, below
+  std::string
+      kind;  ///< drift, residual, energy, guard, position, speed, pull, impact, branch, step, below
   std::string name;  ///< the row, the event, the integrator, the point, whether energy is gained
   double time = 0;   ///< s, when it was first beyond its bound
   double value = 0;  ///< then

@@ -21,9 +21,9 @@ constexpr double kSettledSpeed = 1e-6;
 /// than so many roundings of a time.
 constexpr double kSameTime = 1e-9;
 constexpr double kSameRoundings = 4;
-/// Where time stands still and more often than once in so many steps an event happens, these are
+/// Where time stands still and more often than once in so many steps an event happens, these may be
 /// the cause: each phase of a rocking block takes some steps, however short it is.
-constexpr int kStepsOfAPhase = 50;
+constexpr std::size_t kStepsOfAPhase = 50;
 
 Vector to_vector(const std::vector<Real>& values) {
   Vector result(static_cast<Eigen::Index>(values.size()));
@@ -379,7 +379,7 @@ void Simulator::guard_against_standstill(double end) {
   const double most =
       stuck ? std::min(kHopelessWhereStuck, settings_.most_steps) : settings_.most_steps;
   if (advance * (most / static_cast<double>(kTrial)) < end - t_) {
-    if (ended > static_cast<std::size_t>(kTrial / kStepsOfAPhase)) {
+    if (2 * ended > static_cast<std::size_t>(kTrial)) {
       const model::Phase& phase = scene_.phases[static_cast<std::size_t>(events_.back().phase)];
       throw std::runtime_error(fmt::format(
           "events hardly let time advance: {} of them in {} steps, {:.2g} s in all, '{}' of phase "
@@ -389,8 +389,12 @@ void Simulator::guard_against_standstill(double end) {
     }
     throw std::runtime_error(fmt::format(
         "steps hardly advance time: {} of them, {:.2g} s in all, at t = {} s; more than {:.2g} for "
-        "the rest (a stiff scene: --integrator sdirk2; or --max-steps)",
-        kTrial, advance, t_, most));
+        "the rest ({}a stiff scene: --integrator sdirk2; or --max-steps)",
+        kTrial, advance, t_, most,
+        ended * kStepsOfAPhase > static_cast<std::size_t>(kTrial)
+            ? fmt::format("{} events, '{}' the last: phases that last longer; or ", ended,
+                          events_.back().name)
+            : ""));
   }
 }
 

@@ -182,6 +182,7 @@ class Simulator {
   [[nodiscard]] const model::Event& event_at(std::size_t event) const;
   [[nodiscard]] std::string name_of(std::size_t event) const;
   bool strike(const model::Event& event, EventRecord& record);
+  void judge_impact();
   void guard_against_pile(const Watch& watch);
 
   const model::Scene& scene_;

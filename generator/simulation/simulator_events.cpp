@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "model/scene_facts.hpp"
 #include "simulation/column_names.hpp"
 #include "simulation/simulator.hpp"
@@ -22,6 +23,8 @@ using Kind = Watch::Kind;
 /// instant is: a part of the time, or s.
 constexpr int kMaxPile = 100;
 constexpr double kPile = 1e-10;
+/// Of the largest change of speed that an impact should make, what a row may lack of its own.
+constexpr double kUnmet = 1e-2;
 
 }  // namespace
 
@@ -131,6 +134,21 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
   return true;
 }
 
+/// Rows that strike may ask for what led ones do not allow.
+void Simulator::judge_impact() {
+  const auto [missing, most] = system_.unmet();
+  if (!(missing.size > kUnmet * most)) {
+    return;
+  }
+  const model::Constraint& constraint = scene_.constraints[to_index(missing.constraint)];
+  const char* const unit = model::is_angular(scene_.tree, constraint) ? "1/s" : "m/s";
+  monitor_.note(
+      {"impact", constraint.name, t_, missing.size, kUnmet * most, unit,
+       fmt::format("constraint '{}' lacks {:.3g} {} of the change of its speed that the "
+                   "impact at t = {:.6g} s should make: constraints contradict each other",
+                   constraint.name, missing.size, unit, t_)});
+}
+
 const model::Event& Simulator::event_at(std::size_t event) const {
   const std::vector<model::Event>& all = scene_.phases[static_cast<std::size_t>(phase_)].until;
   return event < all.size() ? all[event] : lift_offs_[event - all.size()].event;
@@ -183,6 +201,9 @@ void Simulator::fire(std::size_t index) {
   std::vector<int> active = scene_.phases[static_cast<std::size_t>(event.then)].active;
   const std::vector<int> acted = system_.constraints().active();
   const bool rests = event.impact && strike(event, record);
+  if (event.impact) {
+    judge_impact();
+  }
   const std::vector<LiftOff> before = lift_offs_;
   if (rests) {
     const std::vector<int>& resting = event.impact->constraints;

@@ -367,8 +367,10 @@ Vector System::impact(double t, const Vector& q, Vector& qd, const model::Impact
       rate_[k] = 0;
     }
   }
-  const Vector y = solve_.preimage(rate_);  // K P = -(1+e) J qd
-  qd += A_.matrixU().solve(y);              // A dqd = J^T P
+  const Vector change = A_.matrixU().solve(solve_.preimage(rate_));  // A dqd = J^T P
+  qd += change;
+  unmet_ = largest_of(J_ * change - rate_);
+  change_ = largest(rate_);
   Vector impulse = solve_.multipliers();
   constraints_.activate(before);
   return impulse;

@@ -105,6 +105,9 @@ class System {
     double size = 0;
     int constraint = -1;
   };
+  /// Of the changes of speed that the last impact should have made, and the largest of these, m/s
+  /// or rad/s.
+  [[nodiscard]] std::pair<Violation, double> unmet() const { return {unmet_, change_}; }
   /// Of positions, m or rad.
   Violation violation(double t, const Vector& q);
   /// Of velocities, m/s or rad/s.
@@ -158,6 +161,8 @@ class System {
   Eigen::MatrixXd inertia_;
   Matrix J_, W_;
   Vector Q_, rhs_, bend_, phi_, rate_, pulled_, x_;
+  Violation unmet_;
+  double change_ = 0;  ///< the largest that an impact should make
   Vector all_lambda_;
 };
 

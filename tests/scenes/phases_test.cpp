@@ -387,6 +387,7 @@ TEST(PhaseStep, AnImpactLeavesALedJointItsSpeed) {
                     "tip, normal: [3, 0, 4]}}, impact: {{constraints: [slope], restitution: 0.5}}, "
                     "then: fall}}]\ninitial: {{q: {{height: 1}}, qd: {{x: 2}}}}\nduration: 1\n",
                     model_path("cart_and_ball"), lead));
+    EXPECT_EQ(scene.manifest("impact").at("rows").at(0), "x: force of the joint, led through it");
     const Vector result = scene.code().call("impact", {{0, 0}, {2, -5}});
     const double rebound = (-0.5 * (3 * 2 - 4 * 5) - 3 * 2) / 4;
     const double push = (rebound + 5) / 0.8;
