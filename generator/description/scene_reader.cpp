@@ -16,7 +16,6 @@
 #include "description/scene_fields.hpp"
 #include "description/scene_yaml.hpp"
 #include "model/force_laws.hpp"
-#include "model/scene_facts.hpp"
 
 namespace treedyn::description {
 
@@ -298,18 +297,7 @@ class SceneReader {
         scene_.phases[k].until.push_back(event(item, "event of " + called("phase", nodes[k], k)));
       }
     }
-    note_held();
     scene_.start_phase = fields_.find("start_phase") == nullptr ? 0 : phase(fields_, "start_phase");
-  }
-
-  void note_held() {
-    for (model::Phase& phase : scene_.phases) {
-      for (model::Event& event : phase.until) {
-        if (event.impact) {
-          event.impact->held = model::held(scene_, phase, event);
-        }
-      }
-    }
   }
 
   /// Without phases `active` names what acts; without it everything does.

@@ -114,7 +114,7 @@ struct Impact {
                                  ///< and behind it
   Real restitution = 0;
   Real rest_below = 0;         ///< m/s; a slower rebound is rest: the rows become active
-  std::vector<int> held = {};  ///< those that act before and behind it and are led
+  std::vector<int> held = {};  ///< those that are led before, through and behind it
 };
 
 enum class EventKind {

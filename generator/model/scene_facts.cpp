@@ -179,24 +179,9 @@ bool strikes_what_acts(const Event& event, const std::vector<int>& active) {
          std::ranges::includes(active, event.impact->constraints);
 }
 
-std::vector<int> lasting(const Scene& scene, const Phase& phase, const Event& event) {
-  std::vector<int> result;
-  std::ranges::set_intersection(phase.active, scene.phases[to_index(event.then)].active,
-                                std::back_inserter(result));
-  return result;
-}
-
 bool is_led(const Constraint& constraint) {
   return !constraint.accelerations.empty() ||
          !std::ranges::all_of(constraint.curve.velocity, &Expression::is_zero);
-}
-
-std::vector<int> held(const Scene& scene, const Phase& phase, const Event& event) {
-  std::vector<int> result;
-  std::ranges::set_intersection(event.impact->constraints, lasting(scene, phase, event),
-                                std::back_inserter(result));
-  std::erase_if(result, [&](int c) { return !is_led(scene.constraints[to_index(c)]); });
-  return result;
 }
 
 std::vector<int> struck(const Scene& scene, const Event& event) {

@@ -49,10 +49,6 @@ int floor_of(const Scene& scene, const Event& event, const std::vector<int>& row
 
 /// True if its rows move: along a curve, or by accelerations.
 bool is_led(const Constraint& constraint);
-/// The constraints that act before and behind an event of a phase, ascending.
-std::vector<int> lasting(const Scene& scene, const Phase& phase, const Event& event);
-/// Those of an impact that last and are led: it leaves them their speed. \pre event.impact
-std::vector<int> held(const Scene& scene, const Phase& phase, const Event& event);
 
 /// Constraints of an impact that do not act behind it, ascending: what a rebound comes to rest on.
 /// \pre event.impact

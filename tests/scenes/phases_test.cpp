@@ -375,6 +375,17 @@ TEST(PhaseStep, IsRefusedWhereAnImpactStrikesAMovingConstraint) {
   EXPECT_EQ(run(command).status, 0);
 }
 
+/// An impact that names what is led by an acceleration stops it.
+TEST(PhaseStep, AnImpactStrikesTheLedJointThatItNames) {
+  const SceneCode scene(fmt::format(
+      "scene: stop\nmodel: {}\neffects:\n  locked_joint: [{{joint: x, acceleration: 0}}]\nphases:\n"
+      "  - name: go\n    active: [x]\n    until: [{{time: 1, impact: {{constraints: [x], "
+      "restitution: 0.25}}, then: go}}]\ninitial: {{qd: {{x: 2}}}}\nduration: 2\n",
+      model_path("cart_and_ball")));
+  const Vector result = scene.code().call("impact", {{0, 0}, {2, -5}});
+  EXPECT_EQ(result, (Vector{-0.5, -5, -2 * 2.5}));  // 2 kg move with the cart
+}
+
 /// A cart goes on at 2 m/s while its ball is thrown back by a slope.
 TEST(PhaseStep, AnImpactLeavesALedJointItsSpeed) {
   for (const std::string lead : {"acceleration: 0", "at: 2*t"}) {
