@@ -147,11 +147,14 @@ std::vector<Motion> reference(const Subject& subject, Comparison& comparison, St
 void check(const Subject& subject, const std::vector<Motion>& exact, Study& study) {
   for (const double tolerance : kCheckTolerances) {
     try {
-      const std::vector<Motion> motions = simulated_motions(subject, tolerance);
+      std::string warning;
+      const std::vector<Motion> motions = simulated_motions(subject, tolerance, warning);
       study.reference.check_difference = largest_distance(exact, motions);
       study.reference.check_error =
-          largest_distance(motions, simulated_motions(subject, 10 * tolerance));
-      study.reference.check = fmt::format("simulate, fehlberg78 to {:.0e},", tolerance);
+          largest_distance(motions, simulated_motions(subject, 10 * tolerance, warning));
+      study.reference.check =
+          fmt::format("simulate, fehlberg78 to {:.0e},{}", tolerance,
+                      warning.empty() ? "" : fmt::format(" which warns ({}),", warning));
       return;
     } catch (const std::runtime_error&) {  // steps that hardly advance time
     }

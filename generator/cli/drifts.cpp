@@ -14,7 +14,7 @@ Drifts::Drifts(const model::Scene& scene, simulation::Dynamics& dynamics)
     : scene_(scene), system_(scene, dynamics, 0), states_(formulate::phase_states(scene, true)) {}
 
 void Drifts::begin(int state, double t, const Vector& q) {
-  system_.constraints().activate({});
+  system_.constraints().reset();
   largest_ = {};
   act(state, t, q);
 }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "common/transformed.hpp"
 #include "dynamics/generated_run.hpp"
 #include "formulate/scene_sticking.hpp"
@@ -190,7 +192,8 @@ double step_seconds(const Subject& subject, const Stepped& how, const StepFiles&
   return step.seconds();
 }
 
-std::vector<Motion> simulated_motions(const Subject& subject, double tolerance) {
+std::vector<Motion> simulated_motions(const Subject& subject, double tolerance,
+                                      std::string& warning) {
   simulation::Settings how;
   how.tolerance = tolerance;
   std::vector<Motion> result;
@@ -205,6 +208,10 @@ std::vector<Motion> simulated_motions(const Subject& subject, double tolerance) 
       motion.note(simulator.q(), simulator.qd());
     }
     result.push_back(std::move(motion));
+    const std::vector<simulation::Notice>& notices = simulator.monitor().notices();
+    if (warning.empty() && !notices.empty()) {
+      warning = fmt::format("initial state {}: {}", result.size(), notices.front().text);
+    }
   }
   return result;
 }

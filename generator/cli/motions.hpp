@@ -82,8 +82,11 @@ std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
 double step_seconds(const Subject& subject, const Stepped& how, const StepFiles& files);
 
 /// The interpreted equations by Fehlberg's method of order eight, events located to the resolution
-/// of time, constraints projected. \throws std::runtime_error where a motion ends early
-std::vector<Motion> simulated_motions(const Subject& subject, double tolerance);
+/// of time, constraints projected.
+/// \param[in,out] warning  the first one of these motions, unless it says something already
+/// \throws std::runtime_error where a motion ends early
+std::vector<Motion> simulated_motions(const Subject& subject, double tolerance,
+                                      std::string& warning);
 
 /// Points at every time of a motion: x, y, z, one behind the other, base frame, m.
 GeneratedStep::Values places(const model::Scene& scene, const std::vector<model::Point>& points,

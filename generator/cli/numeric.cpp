@@ -151,6 +151,9 @@ std::string numeric_report(const Model& model, const Request& request,
   for (const std::string& name : model.scene_functions) {
     report += fmt::format("numeric: {}: a function of a scene, not compared\n", name);
   }
+  if (model.scene && model.scene_functions.empty()) {
+    report += "numeric: functions of the scene are not compared\n";
+  }
   if (request.checked) {
     report += "numeric: functions that return a status are not compared\n";
   }

@@ -68,6 +68,13 @@ void Constraints::activate(const std::vector<int>& constraints) {
   }
 }
 
+void Constraints::reset() {
+  activate({});
+  for (Item& item : items_) {
+    item.shift.setZero();
+  }
+}
+
 Eigen::Vector3d Constraints::position(const Item& item, double t) const {
   return item.curve[0].at(t) + item.shift;
 }

@@ -37,6 +37,8 @@ class Constraints {
     return c.pinned || c.kind == model::ConstraintKind::kOrientation;
   }
 
+  /// As before any motion: none acts, and what pins have moved is where the scene has it.
+  void reset();
   /// A constraint begins to act: the orientation that it holds is that of now, and so is the place
   /// of one that is pinned.
   void begin(int constraint, double t, const Vector& q, const Terms& terms);

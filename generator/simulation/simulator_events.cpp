@@ -137,10 +137,14 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
 /// Rows that strike may ask for what led ones do not allow.
 void Simulator::judge_impact() {
   const auto [missing, most] = system_.unmet();
-  if (!(missing.size > kUnmet * most)) {
+  if (missing.size <= kUnmet * most) {
     return;
   }
   const model::Constraint& constraint = scene_.constraints[to_index(missing.constraint)];
+  if (!std::isfinite(missing.size)) {
+    throw std::runtime_error(fmt::format(
+        "constraint '{}' is led by what has no rate at t = {:.6g} s", constraint.name, t_));
+  }
   const char* const unit = model::is_angular(scene_.tree, constraint) ? "1/s" : "m/s";
   monitor_.note(
       {"impact", constraint.name, t_, missing.size, kUnmet * most, unit,

@@ -359,6 +359,11 @@ Vector System::impact(double t, const Vector& q, Vector& qd, const model::Impact
   factor_inertia(t);
   constraints_.jacobian(terms_, J_);
   constraints_.velocities(t, rate_);
+  unmet_ = largest_of(rate_);
+  if (!std::isfinite(unmet_.size)) {
+    constraints_.activate(before);
+    return rate_;
+  }
   W_ = A_.matrixL().solve(J_.transpose());
   solve_.factor(W_, sizes_now(t, q, {}));
   rate_ = -(1 + restitution) * (J_ * qd - rate_);

@@ -106,7 +106,7 @@ class System {
     int constraint = -1;
   };
   /// Of the changes of speed that the last impact should have made, and the largest of these, m/s
-  /// or rad/s.
+  /// or rad/s; not finite where what leads a row has no rate: nothing has changed.
   [[nodiscard]] std::pair<Violation, double> unmet() const { return {unmet_, change_}; }
   /// Of positions, m or rad.
   Violation violation(double t, const Vector& q);

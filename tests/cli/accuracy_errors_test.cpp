@@ -176,6 +176,20 @@ TEST_F(AccuracyErrors, DriftIsThatOfTheMethod) {
   EXPECT_THAT(read_file(file("rod_accuracy.svg")), HasSubstr("largest drift of a constraint, m<"));
 }
 
+/// Feet are pinned where they land, 8 steps of 0.4 m away.
+TEST_F(AccuracyErrors, DriftBeginsAnewWithEveryInitialState) {
+  const std::string scene = TREEDYN_SOURCE_DIR "/tests/data/hard_cases/s12_simplest_walker.json";
+  const Outcome outcome = treedyn({"accuracy", scene, "--states", "2", "--integrators", "rk4",
+                                   "--steps", "0.05", "--error", "drift", "-o", out()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json one = row(Json::parse(read_file(file("s12_simplest_walker_accuracy.json"))), {});
+  ASSERT_EQ(one.at("drifts").size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double speed = one.at("drift_speeds").at(k);
+    EXPECT_LT(one.at("drifts").at(k), 40 * speed) << "for 38.5 s";
+  }
+}
+
 /// A joint led by sin t has the acceleration -sin t: classical steps add Simpson's sums of it.
 TEST_F(AccuracyErrors, DriftOfAJointIsInRadians) {
   write_file(scratch("led.yaml"), "scene: led\nmodel: " TREEDYN_SOURCE_DIR
