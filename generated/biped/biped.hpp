@@ -38,7 +38,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xaa50364e3741ba8bULL;
+constexpr unsigned long long kDigest = 0x4f3f60916abef8a4ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -44,7 +44,7 @@ constexpr int kDof = 18;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x382bbefb08601c72ULL;
+constexpr unsigned long long kDigest = 0xfe9c5e6abec52c87ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -38,7 +38,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xe25401802d49a329ULL;
+constexpr unsigned long long kDigest = 0x32dc70e64baee623ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -28,7 +28,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xeaaab6668d81e379ULL;
+constexpr unsigned long long kDigest = 0xc0b20f2d6dd2bf5eULL;
 
 /// Index of every joint.
 namespace joint {

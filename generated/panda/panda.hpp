@@ -30,7 +30,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xbb2a1dffb7e59ed9ULL;
+constexpr unsigned long long kDigest = 0x641413d55d4a4ecbULL;
 
 /// Index of every joint.
 namespace joint {

@@ -25,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xae8b2899c9e9d014ULL;
+constexpr unsigned long long kDigest = 0x83021fdf56e1d479ULL;
 
 /// Index of every joint.
 namespace joint {

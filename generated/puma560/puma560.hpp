@@ -26,7 +26,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x23802fe573737d3bULL;
+constexpr unsigned long long kDigest = 0xd4b7b0cf463cd545ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -38,7 +38,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xb9507fd84c583d60ULL;
+constexpr unsigned long long kDigest = 0x49b322b1e33c1529ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -25,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xf6d6c79dc3426f83ULL;
+constexpr unsigned long long kDigest = 0x22f2e5a3ce5dd90cULL;
 
 /// Index of every joint.
 namespace joint {

@@ -341,11 +341,10 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
 
 std::string order_of_sums(Scalar scalar, const std::string& error, const std::string& finite) {
   const bool wide = scalar == Scalar::kDouble;
-  return fill(template_text("order_of_sums.cpp"),
-              {{"finite", finite},
-               {"method", wide ? "__FLT_EVAL_METHOD__ != 1 && " : ""},
-               {"registers", wide ? "__SSE2__" : "__SSE__"},
-               {"error", error}});
+  return fill(template_text("order_of_sums.cpp"), {{"finite", finite},
+                                                   {"methods", wide ? "17" : "16"},
+                                                   {"registers", wide ? "__SSE2__" : "__SSE__"},
+                                                   {"error", error}});
 }
 
 std::string sincos_of_limbs(const Target& target, const std::string& functions) {
