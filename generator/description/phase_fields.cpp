@@ -277,20 +277,22 @@ class PhaseReader {
 
   /// What acts before and behind an impact takes its part of it; if it is led and not named, it
   /// goes on as it is led.
+  void hold_through(const std::vector<int>& before, const std::vector<int>& behind,
+                    model::Impact& impact) const {
+    std::vector<int> lasting;
+    std::ranges::set_intersection(before, behind, std::back_inserter(lasting));
+    std::ranges::set_difference(lasting, impact.constraints, std::back_inserter(impact.held));
+    std::erase_if(impact.held, [&](int c) { return !is_led(scene_.constraints[to_index(c)]); });
+    std::set<int> rows(impact.constraints.begin(), impact.constraints.end());
+    rows.insert(lasting.begin(), lasting.end());
+    impact.constraints.assign(rows.begin(), rows.end());
+  }
+
   void hold_through_impacts() {
     for (model::Phase& phase : scene_.phases) {
       for (model::Event& event : phase.until) {
         if (event.impact) {
-          model::Impact& impact = *event.impact;
-          std::vector<int> lasting;
-          std::ranges::set_intersection(phase.active, scene_.phases[to_index(event.then)].active,
-                                        std::back_inserter(lasting));
-          std::ranges::set_difference(lasting, impact.constraints, std::back_inserter(impact.held));
-          std::set<int> rows(impact.constraints.begin(), impact.constraints.end());
-          rows.insert(lasting.begin(), lasting.end());
-          impact.constraints.assign(rows.begin(), rows.end());
-          std::erase_if(impact.held,
-                        [&](int c) { return !is_led(scene_.constraints[to_index(c)]); });
+          hold_through(phase.active, scene_.phases[to_index(event.then)].active, *event.impact);
         }
       }
     }
