@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "simulation/column_names.hpp"
 
 namespace treedyn::simulation {
@@ -105,6 +106,11 @@ void Simulator::take(double h) {
   integrator_->step(rate_, t_, h, y_, next_, error_);
 }
 
+void Simulator::refuse_lead(int constraint, const char* what) const {
+  throw std::runtime_error(fmt::format("constraint '{}' is led by what has no {} at t = {:.6g} s",
+                                       scene_.constraints[to_index(constraint)].name, what, t_));
+}
+
 /// The place and the rate of what leads an acting row are numbers.
 void Simulator::refuse_undefined_rows() {
   Constraints& constraints = system_.constraints();
@@ -114,10 +120,7 @@ void Simulator::refuse_undefined_rows() {
   constraints.velocities(t_, wanted);
   for (int k = 0; k < errors.size(); ++k) {
     if (!std::isfinite(errors[k]) || !std::isfinite(wanted[k])) {
-      const auto c = static_cast<std::size_t>(constraints.constraint(k));
-      throw std::runtime_error(
-          fmt::format("constraint '{}' is led by what has no {} at t = {:.6g} s",
-                      scene_.constraints[c].name, std::isfinite(errors[k]) ? "rate" : "value", t_));
+      refuse_lead(constraints.constraint(k), std::isfinite(errors[k]) ? "rate" : "value");
     }
   }
 }

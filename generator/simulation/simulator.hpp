@@ -139,6 +139,7 @@ class Simulator {
   [[nodiscard]] bool lands(const model::Event& event) const;
   Stability stability(Dynamics& dynamics, const Vector& qd, Closed contacts);
   void note_limit(const Stability& stability, const std::string& kind, const std::string& state);
+  [[noreturn]] void refuse_lead(int constraint, const char* what) const;
   void refuse_undefined_rows();
   void rate(double t, const Vector& y, Vector& dy);
   void take(double h);

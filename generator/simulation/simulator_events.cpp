@@ -140,11 +140,10 @@ void Simulator::judge_impact() {
   if (missing.size <= kUnmet * most) {
     return;
   }
-  const model::Constraint& constraint = scene_.constraints[to_index(missing.constraint)];
   if (!std::isfinite(missing.size)) {
-    throw std::runtime_error(fmt::format(
-        "constraint '{}' is led by what has no rate at t = {:.6g} s", constraint.name, t_));
+    refuse_lead(missing.constraint, "rate");
   }
+  const model::Constraint& constraint = scene_.constraints[to_index(missing.constraint)];
   const char* const unit = model::is_angular(scene_.tree, constraint) ? "1/s" : "m/s";
   monitor_.note(
       {"impact", constraint.name, t_, missing.size, kUnmet * most, unit,
