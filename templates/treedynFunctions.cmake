@@ -2,10 +2,21 @@
 
 cmake_policy(VERSION 3.20)  # at least; of depfiles (CMP0116), whatever the project asks for
 
-# Sets `arguments` to the model or scene of a call as the program wants it, `subject` to its file, `settings` and `scenes`
-# to those of its OPTIONS.
+# Stops where the lists of CMake would take a path apart.
+function(_treedyn_refuse_lists path)
+  string(REGEX REPLACE "[^[]" "" opened "${path}")
+  string(REGEX REPLACE "[^]]" "" closed "${path}")
+  string(LENGTH "${opened}" opened)
+  string(LENGTH "${closed}" closed)
+  if("${path}" MATCHES ";" OR NOT opened EQUAL closed)
+    message(FATAL_ERROR "treedyn: '${path}' has a ; or a single [ or ], which lists of CMake cannot hold; expected another path")
+  endif()
+endfunction()
+
+# Sets `arguments` to the model or scene of a call as the program wants it, `subject` to its file, `settings`, `scenes` and
+# `equations` to those of its OPTIONS.
 function(_treedyn_subject call)
-  list(REMOVE_ITEM ARG_KEYWORDS_MISSING_VALUES OPTIONS)  # OPTIONS ${none}
+  list(REMOVE_ITEM ARG_KEYWORDS_MISSING_VALUES OPTIONS DEPENDS)  # OPTIONS ${none}
   list(REMOVE_DUPLICATES ARG_KEYWORDS_MISSING_VALUES)
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "'${ARG_UNPARSED_ARGUMENTS}' is not expected in ${call}")
@@ -15,6 +26,8 @@ function(_treedyn_subject call)
     message(FATAL_ERROR "exactly one of MODEL and SCENE is needed; expected ${call}")
   endif()
   get_filename_component(subject "${ARG_MODEL}${ARG_SCENE}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+  _treedyn_refuse_lists("${subject}")
+  _treedyn_refuse_lists("${ARG_FOLDER}")
   set(arguments "${subject}")
   if("${ARG_SCENE}" MATCHES ".")  # a value that is a word for false is one, too
     set(arguments --scene "${subject}")
@@ -25,10 +38,14 @@ function(_treedyn_subject call)
   set(before "")
   set(settings "")
   set(scenes "")
+  set(equations "")
   foreach(option IN LISTS ARG_OPTIONS)  # files are those of the folder of the call
     set(key "")
     set(start "")
     set(file "${option}")
+    if(option MATCHES "^(-o.*|(--output|--stamp|--depfile)(=.*)?)$")
+      message(FATAL_ERROR "'${option}' among OPTIONS is what the function decides; expected options without it")
+    endif()
     if(before MATCHES "^--(equations|scene|settings)$")
       set(key "${before}")
     elseif(option MATCHES "^(--equations|--scene|--settings)=(.+)$")
@@ -44,6 +61,8 @@ function(_treedyn_subject call)
       list(APPEND settings "${file}")
     elseif(key STREQUAL "--scene")
       list(APPEND scenes "${file}")
+    elseif(key STREQUAL "--equations")
+      list(APPEND equations "${file}")
     endif()
     list(APPEND arguments "${option}")
     set(before "${option}")
@@ -52,6 +71,7 @@ function(_treedyn_subject call)
   set(subject "${subject}" PARENT_SCOPE)
   set(settings "${settings}" PARENT_SCOPE)
   set(scenes "${scenes}" PARENT_SCOPE)
+  set(equations "${equations}" PARENT_SCOPE)
 endfunction()
 
 # Sets `value` to what settings say of an option, of a list the first; empty: they say nothing of it.
@@ -85,6 +105,12 @@ endfunction()
 # scene, the one of options or settings too, and the program is asked while the project is configured: it has to be there.
 function(_treedyn_files name folder subjects settings)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${settings})
+  foreach(file IN LISTS settings)
+    _treedyn_setting("${file}" stamp)
+    if(value MATCHES ".")
+      message(FATAL_ERROR "treedyn: '${file}' sets stamp, which the functions decide; expected settings without it")
+    endif()
+  endforeach()
   _treedyn_language("${settings}" ${ARGN})
   if("${name}" MATCHES "." AND language STREQUAL "c99")
     set(files "${folder}/${name}.h" "${folder}/${name}.c" "${folder}/${name}.json")
@@ -136,17 +162,18 @@ function(_treedyn_warn_of_twins target header)
   endif()
 endfunction()
 
-# treedyn_generate(TARGET MODEL|SCENE file [NAME name] [OPTIONS option...] [FOLDER folder] [CONTRACTION on|off])
+# treedyn_generate(TARGET MODEL|SCENE file [NAME name] [OPTIONS option...] [FOLDER folder] [CONTRACTION on|off] [DEPENDS file...])
 #
 # A static library TARGET of the functions that `treedyn generate` writes for a model or a scene into FOLDER (default:
-# a folder of the build); whoever links it can include NAME.hpp (NAME.h with OPTIONS --language c99). Runs again when a file that was read or treedyn changes.
+# a folder of the build); whoever links it can include NAME.hpp (NAME.h with OPTIONS --language c99). Runs again when a file that was read or treedyn changes; in the first
+# build after what makes the model, the scene, the --equations and DEPENDS (the model that a scene names).
 # CONTRACTION off, the default: the same bits on every processor; on: products and sums as one rounded operation where there
 # is one, which takes more cycles on a Cortex-M4F. On a host that has it (AVX2: -march=x86-64-v3 or native in CMAKE_CXX_FLAGS,
 # which this function does not set) off costs 1.1 to 1.4 times the time; without such an option both are the same there.
 # Square roots leave errno alone.
 function(treedyn_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "MODEL;SCENE;NAME;FOLDER;CONTRACTION" "OPTIONS")
-  _treedyn_subject("treedyn_generate(TARGET MODEL|SCENE file [NAME name] [OPTIONS option...] [FOLDER folder] [CONTRACTION on|off])")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "MODEL;SCENE;NAME;FOLDER;CONTRACTION" "OPTIONS;DEPENDS")
+  _treedyn_subject("treedyn_generate(TARGET MODEL|SCENE file [NAME name] [OPTIONS option...] [FOLDER folder] [CONTRACTION on|off] [DEPENDS file...])")
   if("${ARG_FOLDER}" STREQUAL "")
     set(ARG_FOLDER "${CMAKE_CURRENT_BINARY_DIR}/${target}")
   endif()
@@ -158,7 +185,7 @@ function(treedyn_generate target)
   add_custom_command(OUTPUT ${files}
                      COMMAND treedyn::treedyn generate ${arguments} -o "${folder}" --depfile "${depfile}"
                      COMMAND "${CMAKE_COMMAND}" -E touch_nocreate ${files}  # unchanged files keep their time else
-                     DEPENDS "${subject}" treedyn::treedyn "$<TARGET_FILE:treedyn::treedyn>" DEPFILE "${depfile}"
+                     DEPENDS "${subject}" ${scenes} ${equations} ${ARG_DEPENDS} treedyn::treedyn "$<TARGET_FILE:treedyn::treedyn>" DEPFILE "${depfile}"
                      COMMENT "treedyn generate ${ARG_MODEL}${ARG_SCENE}" VERBATIM)
   add_library(${target} STATIC ${files})
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${folder}>")

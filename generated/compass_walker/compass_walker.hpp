@@ -28,7 +28,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xc0b20f2d6dd2bf5eULL;
+constexpr unsigned long long kDigest = 0xdfee00ef41e51b4eULL;
 
 /// Index of every joint.
 namespace joint {
@@ -48,9 +48,10 @@ constexpr int right_foot = 1;
 // revolute|prismatic. The base frame is the ground's; gravity in it is 0, 0, -9.81 m/s^2. Equations
 // have the numbers of treedyn's EQUATIONS.md. Outputs are written completely and must not overlap
 // inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines, without
-// contraction the same bits everywhere, have errors below 1.7e-16 for arguments below 1.3e7 rad;
-// they are not a number beyond 1.32e7 rad. Arguments are angles, alone or, rounded, in sums with
-// constant ones and those of parallel axes.
+// contraction the same bits everywhere, have errors below 1.7e-16 for arguments below 1.3e7 rad
+// where results are rounded to nearest, the default of all processors; they are not a number beyond
+// 1.32e7 rad. Arguments are angles, alone or, rounded, in sums with constant ones and those of
+// parallel axes.
 
 /// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
 ///

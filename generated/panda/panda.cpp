@@ -10,7 +10,8 @@
 
 namespace panda {
 
-static_assert(kDigest == 0x641413d55d4a4ecbULL, "header and source are of different runs");
+static_assert(kDigest == 0xd1af8db81b2b6975ULL, "header and source are of different runs");
+static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")

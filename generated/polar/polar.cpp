@@ -10,7 +10,8 @@
 
 namespace polar {
 
-static_assert(kDigest == 0x83021fdf56e1d479ULL, "header and source are of different runs");
+static_assert(kDigest == 0x769c01b0898dca00ULL, "header and source are of different runs");
+static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")

@@ -94,8 +94,9 @@ std::string without_returns(std::string text) {
   return text;
 }
 
-/// Without the command in a comment, the names and checksums of files in a manifest: no statement
-/// depends on what the model's file is called, and options have their own line in the manifest.
+/// Without the command in a comment, the version, the names and checksums of files in a manifest:
+/// no statement depends on what the model's file is called, and options have their own line in the
+/// manifest.
 std::string without_origin(std::string text) {
   const std::size_t command = text.find("\n//   treedyn generate");
   if (command != std::string::npos) {
@@ -109,6 +110,10 @@ std::string without_origin(std::string text) {
   constexpr std::string_view kFile = "{\"file\": ";
   for (std::size_t at = text.find(kFile); at != std::string::npos; at = text.find(kFile, at + 1)) {
     text.erase(at, text.find('}', at) - at);
+  }
+  const std::size_t tool = text.find("\"tool\": \"treedyn ");
+  if (tool != std::string::npos) {
+    text.erase(tool, text.find('\n', tool) - tool);
   }
   return text;
 }
@@ -127,12 +132,9 @@ std::string without_digest(std::string text) {
   return text;
 }
 
-/// What a reader wants to know before the diff.
+/// What a reader wants to know before the diff. \pre the texts differ
 std::string verdict(const std::string& old_text, const std::string& new_text,
                     const std::string& path) {
-  if (std::ranges::count(old_text, '\r') > 0 && without_returns(old_text) == new_text) {
-    return fmt::format("{}: lines end in \\r\\n and are the same else\n", path);
-  }
   const std::string before = without_origin(old_text);
   const std::string after = without_origin(new_text);
   const char* const what = without_digest(before) == without_digest(after)       ? "origin only"
@@ -169,11 +171,11 @@ std::string check_files(const std::vector<emit::File>& files, const std::string&
     const std::optional<std::string> present = content(path);
     if (!present) {
       report += absence(path);
-    } else if (*present != file.text) {
-      report += verdict(*present, file.text, path);
-      diffs += without_returns(*present) == file.text
-                   ? ""
-                   : unified_diff(*present, file.text, path, path + " (generated)");
+    } else if (const std::string text = without_returns(*present); text != file.text) {
+      report += verdict(text, file.text, path);
+      diffs += unified_diff(text, file.text, path, path + " (generated)");
+    } else if (*present != text) {
+      report += fmt::format("{}: lines end in \\r\\n and are the same else\n", path);
     }
   }
   for (const std::string& path : surplus_files(files, folder)) {

@@ -1,7 +1,9 @@
 #include "cli/generation_options.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -30,6 +32,20 @@ Real positive(const std::string& option, const std::string& text) {
         option, fmt::format("{} is not above 0; expected a number above 0", shown(text)));
   }
   return value;
+}
+
+CLI::Validator whole(int least, int most) {
+  const auto check = [least, most](std::string& text) {
+    int value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || rest != end || value < least || value > most) {
+      return fmt::format("{} is no whole number from {} to {}", shown(text), least, most);
+    }
+    text = std::to_string(value);
+    return std::string();
+  };
+  return {check, fmt::format("INT in [{} - {}]", least, most), "whole"};
 }
 
 CLI::Validator one_of(const std::vector<std::string>& words) {
@@ -216,7 +232,7 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
            [&stepping](const std::string& text) { stepping.step = positive("--step", text); });
   command
       .add_option("--cuts", stepping.cuts, "shorter steps that look for an event; 0: at the end")
-      ->check(CLI::Range(0, model::kMostCuts))
+      ->transform(whole(0, model::kMostCuts))
       ->type_name("N");
   add_choice(
       command, "--state", {"plain", "compensated"},
@@ -322,16 +338,16 @@ void add_formulation(CLI::App& command, Request& request) {
       .add_option("--accuracy-samples", request.accuracy_samples,
                   "states in which errors of the functions of the model are measured: into the "
                   "manifest; of info --accuracy, default 200")
-      ->check(CLI::Range(1, 10000))
+      ->transform(whole(1, 10000))
       ->type_name("N");
   command.add_option("--effort", request.effort, "search effort in moves; 0: none")
-      ->check(CLI::Range(0, 1000000000))
+      ->transform(whole(0, 1000000000))
       ->type_name("N")
       ->capture_default_str();
   command
       .add_option_function<int>("-j,--jobs", set_threads,
                                 "threads, which decide no byte; default: cores of the machine")
-      ->check(CLI::Range(1, 1000))
+      ->transform(whole(1, 1000))
       ->type_name("N");
   add_word(command, "--without", "LIST",
            "passes to switch off, comma-separated; treedyn info --passes shows what each one gains",

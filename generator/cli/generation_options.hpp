@@ -20,6 +20,9 @@ Real number(const std::string& option, const std::string& text);
 /// The same above 0.
 Real positive(const std::string& option, const std::string& text);
 
+/// A whole number in decimal digits, zeros before it or not (CLI11 alone takes 010 for 8).
+CLI::Validator whole(int least, int most);
+
 /// A check whose words the option's type name already shows.
 CLI::Validator one_of(const std::vector<std::string>& words);
 

@@ -85,6 +85,17 @@ std::string snap_table(const model::Tree& tree) {
   return "\nsnapped constants\n" + table(rows);
 }
 
+std::string dissipation_table(const model::Tree& tree) {
+  if (tree.dissipations.empty()) {
+    return {};
+  }
+  Rows rows = {{"place", "joint", "damping", "friction"}};
+  for (const model::Dissipation& of : tree.dissipations) {
+    rows.push_back({to_string(of.where), shown(of.joint), shown(of.damping), shown(of.friction)});
+  }
+  return "\n<dynamics>: in no function; scenes have effects for it\n" + table(rows);
+}
+
 std::string cost_table(const Model& model, const Request& request,
                        const program::Programs& programs) {
   Rows rows = {{"function", "equation", "values", "mul + add + div", "fused", "of these"}};
@@ -139,8 +150,9 @@ std::string info_text(const Model& model, const Request& request,
                      shown(model.tree.name), model.tree.dof(), model.tree.size(),
                      emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
          joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
-         point_table(model) + snap_table(model.tree) + cost_table(model, request, programs) +
-         parameters_text(model, request, programs) + effects_text(model, request, programs);
+         point_table(model) + snap_table(model.tree) + dissipation_table(model.tree) +
+         cost_table(model, request, programs) + parameters_text(model, request, programs) +
+         effects_text(model, request, programs);
 }
 
 std::string passes_text(const Model& model, const Request& request) {

@@ -76,6 +76,16 @@ std::vector<std::string> snaps_json(const model::Tree& tree) {
   });
 }
 
+std::vector<std::string> dissipations_json(const model::Tree& tree) {
+  return transformed(tree.dissipations, [&](const model::Dissipation& of) {
+    return json_object({{"line", std::to_string(of.where.line)},
+                        {"column", std::to_string(of.where.column)},
+                        {"joint", json_string(of.joint)},
+                        {"damping", json_string(of.damping)},
+                        {"friction", json_string(of.friction)}});
+  });
+}
+
 /// \param key  what the prices are of
 std::string prices_json(const char* key, const std::vector<Price>& prices) {
   const std::vector<std::string> result = transformed(prices, [&](const Price& price) {
@@ -116,11 +126,13 @@ std::string info_json(const Model& model, const Request& request,
   const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
   return fmt::format(
       "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
-      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}{}{}\n}}\n",
+      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"dissipations\": {},\n  "
+      "\"functions\": {}{}{}\n}}\n",
       json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
       emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
       emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
       emit::json_lines(snaps_json(model.tree), 4),
+      emit::json_lines(dissipations_json(model.tree), 4),
       emit::json_lines(functions_json(model, request, programs), 4),
       parameters_json(model, request, programs),
       model.scene ? fmt::format(",\n  \"prices\": {}",

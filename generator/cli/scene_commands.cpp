@@ -1,6 +1,7 @@
 #include "cli/scene_commands.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,7 +122,7 @@ void add_comparison(CLI::App& command, AccuracyRequest& request) {
       .add_option(
           "--states", request.states,
           fmt::format("initial states, the scene's own among them; default {}", request.states))
-      ->check(CLI::Range(1, 1000))
+      ->transform(whole(1, 1000))
       ->type_name("N");
   command
       .add_option(
@@ -167,6 +168,7 @@ void add_parts(CLI::App& command, AccuracyRequest& request) {
       ->type_name("FILE")
       ->needs(parts);
   command.add_option("--part", request.part, "measure this setting alone, into --parts")
+      ->transform(whole(0, std::numeric_limits<int>::max()))
       ->type_name("N")
       ->needs(parts)
       ->excludes("--plan");

@@ -60,6 +60,12 @@ struct RawMimic {
   std::optional<Text> offset;
 };
 
+/// `<dynamics>` of a URDF.
+struct RawDissipation {
+  std::optional<Text> damping;
+  std::optional<Text> friction;
+};
+
 struct RawJoint {
   Text name;
   Text type;
@@ -69,6 +75,7 @@ struct RawJoint {
   std::optional<Numbers> axis;
   RawLimits limits;
   std::optional<RawMimic> mimic;
+  RawDissipation dissipation;
   Place where;
 };
 

@@ -94,6 +94,7 @@ class Resolver {
     resolve_named_points(raw_, numbers_, tree_);
     resolve_parameters(raw_, options_.runtime, tree_);
     tree_.snaps = in_file_order(snapper_.log().snaps);
+    add_dissipations();
     tree_.warnings.insert(tree_.warnings.begin(), raw_.oddities.begin(), raw_.oddities.end());
     std::vector<Warning> findings = snapper_.log().misses;
     findings.insert(findings.end(), doubts_.all().begin(), doubts_.all().end());
@@ -312,6 +313,23 @@ class Resolver {
       const bool of_world = moving_father_[to_index(son)] == model::kGround;
       return of_world ? Real(0) : norm(numbers_.vector(joint.pose.xyz, "offset"));
     });
+  }
+
+  /// What is no zero: numbers are not asked of what no function has.
+  void add_dissipations() {
+    const auto written = [](const std::optional<Text>& text) {
+      const Decimal number = text ? read_decimal(text->text) : Decimal{};
+      return number && number.value == 0 ? std::string() : text->text;
+    };
+    for (const RawJoint& joint : raw_.joints) {
+      const std::string damping = written(joint.dissipation.damping);
+      const std::string friction = written(joint.dissipation.friction);
+      if (joint.type.text != "fixed" && !(damping.empty() && friction.empty())) {
+        const Place& where =
+            (damping.empty() ? joint.dissipation.friction : joint.dissipation.damping)->where;
+        tree_.dissipations.push_back({location(raw_, where), joint.name.text, damping, friction});
+      }
+    }
   }
 
   void add_frames() {

@@ -17,7 +17,7 @@ namespace treedyn::description {
 namespace {
 
 /// Which elements are read, by the element around them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kRead = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kRead = {{
     {"robot", "link"},
     {"robot", "joint"},
     {"link", "inertial"},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kRead = 
     {"joint", "axis"},
     {"joint", "limit"},
     {"joint", "mimic"},
+    {"joint", "dynamics"},
 }};
 
 bool wanted(std::string_view father, std::string_view child) {
@@ -164,6 +165,14 @@ std::string place_of(std::string_view element) {
   return result;
 }
 
+/// What a mistyped element may be: capitals are slips, too, and SDF has a word of its own.
+std::string meant_by(std::string name, const std::vector<std::string_view>& known) {
+  std::ranges::transform(name, name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return did_you_mean(name == "pose" ? "origin" : name, known);
+}
+
 /// What an element holds that nobody reads and that looks like a slip: `<orgin>`, `ryp=`, a link
 /// within a link. Other unknown elements, and those of namespaces, belong to other programs.
 void vet_element(const Part& part, std::vector<Warning>& findings) {
@@ -175,19 +184,25 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
   const auto find = [&](const Place& where, const std::string& message) {
     findings.push_back({where.in(part.file), fmt::format("{}: {}", part.what, message)});
   };
+  const bool leaf = row->children.empty();  // others carry what belongs to other programs
   for (const Text& stray : element.strays) {
     if (is_known(stray.text, row->children)) {
       continue;
     }
     const std::string misplaced = place_of(stray.text);
-    const std::string meant = misplaced.empty() ? did_you_mean(stray.text, row->children) : "";
-    if (!misplaced.empty()) {
+    const std::string meant = misplaced.empty() ? meant_by(stray.text, row->children) : "";
+    if (leaf) {
+      find(stray.where, fmt::format("<{}> is not read; expected attributes of <{}>",
+                                    shown(stray.text), element.name));
+    } else if (!misplaced.empty()) {
       find(stray.where, fmt::format("<{}> is not read here{}", shown(stray.text), misplaced));
     } else if (!meant.empty()) {
       find(stray.where, fmt::format("<{}>{} is unknown and not read", shown(stray.text), meant));
     }
   }
-  const bool leaf = row->children.empty();  // others carry what belongs to other programs
+  if (leaf && element.text.line > 0) {
+    find(element.text, fmt::format("text in <{}> is not read; expected attributes", element.name));
+  }
   for (const auto& [name, value] : element.attributes) {
     const std::string meant = did_you_mean(name, row->attributes);
     if (!is_known(name, row->attributes) && name.find(':') == std::string::npos &&
@@ -269,6 +284,11 @@ RawJoint read_joint(const std::string& file, const Element& element) {
   if (const Element* const mimic = part.find("mimic")) {
     joint.mimic = RawMimic{part.text(*mimic, "joint"), optional_number(*mimic, "multiplier"),
                            optional_number(*mimic, "offset")};
+  }
+  const auto dynamics = std::ranges::find(element.children, "dynamics", &Element::name);
+  if (dynamics != element.children.end()) {
+    joint.dissipation = {optional_number(*dynamics, "damping"),
+                         optional_number(*dynamics, "friction")};
   }
   return joint;
 }

@@ -43,6 +43,7 @@ class ElementBuilder {
     TREEDYN_EXPECT(parser_ != nullptr);
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(parser_.get(), on_start, on_end);
+    XML_SetCharacterDataHandler(parser_.get(), on_text);
     XML_SetStartDoctypeDeclHandler(parser_.get(), on_doctype);
   }
 
@@ -70,6 +71,9 @@ class ElementBuilder {
     self(data).start(name, attributes);
   }
   static void on_end(void* data, const XML_Char*) { self(data).end(); }
+  static void on_text(void* data, const XML_Char* text, int size) {
+    self(data).note({text, static_cast<std::size_t>(size)});
+  }
   static void on_doctype(void* data, const XML_Char*, const XML_Char*, const XML_Char*, int) {
     self(data).stop("document type declarations are not supported; expected <robot>");
   }
@@ -106,6 +110,13 @@ class ElementBuilder {
         element.attributes.emplace_back(a[0], a[1]);
       }
       open_.push_back(std::move(element));
+    }
+  }
+
+  void note(std::string_view text) {
+    if (!problem_ && skipped_ == 0 && open_.back().text.line == 0 &&
+        text.find_first_not_of(" \t\r\n") != text.npos) {
+      open_.back().text = here();
     }
   }
 

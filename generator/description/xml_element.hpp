@@ -15,6 +15,7 @@ struct Element {
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<Element> children;
   std::vector<Text> strays;  ///< names of children that are not wanted, the first 1000 of a file
+  Place text;                ///< the first that is no space; line 0: none
   Place where;
 
   /// The value of an attribute, or nullptr.

@@ -370,7 +370,8 @@ std::string sincos_comment(const Target& target) {
   const Approximation& a = approximation(target.scalar);
   return fmt::format(
       "Sines and cosines, without contraction the same bits everywhere, have errors below {} for "
-      "arguments below {} rad; they are not a number beyond {} rad. Arguments are angles, alone "
+      "arguments below {} rad where results are rounded to nearest, the default of all processors; "
+      "they are not a number beyond {} rad. Arguments are angles, alone "
       "or, rounded, in sums with constant ones and those of parallel axes.",
       a.error, a.range, a.end);
 }

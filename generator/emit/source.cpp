@@ -85,6 +85,9 @@ std::string zeros_of(const Unit& unit, const std::vector<Body>& bodies) {
                    functions);
 }
 
+constexpr const char* kLiterals =
+    "static_assert(sizeof(1.0) == sizeof(double), \"not for -fsingle-precision-constant\");";
+
 /// <cmath>, for what is used of it: the functions above, and what scene functions take.
 std::string includes(const Unit& unit) {
   const bool scene = !unit.staged.empty() || !unit.steppers.empty();
@@ -126,11 +129,13 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
   const std::string constants =
       words.constants ? words.constants->table(words, unit.target.scalar) : "";
   const bool in_order = unit.processor && unit.processor->in_order;
+  const bool wide = unit.target.scalar == Scalar::kDouble;
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"space", unit.space()},
                                            {"command", command_comment(unit.command)},
                                            {"digest", kNoDigest},
                                            {"includes", includes(unit)},
+                                           {"literals", wide ? kLiterals : ""},
                                            {"zeros", zeros_of(unit, bodies)},
                                            {"order_comment", in_order ? kOrderComment : ""},
                                            {"order", in_order ? ", \"no-schedule-insns\"" : ""},

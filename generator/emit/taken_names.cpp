@@ -16,7 +16,8 @@ constexpr const char* kOwn =
     "SineCosine add advance anchors approach approaches begins_to_fall below_zero check chord "
     "compare cosine cut derived dip dips due dynamics_in earlier factor_stage "
     "falls_from_plane falls_now find_event find_stage first_event guards h happen integrate "
-    "integrate_part joint look move_stage next_clock note pair_of phase point press sine "
+    "integrate_part joint literals_are_double look move_stage next_clock note pair_of phase point "
+    "press sine "
     "sine_cosine sines_cosines solve_stage status store store_sines_cosines try_step way "
     "weigh";
 

@@ -94,10 +94,10 @@ void Reading::add_input(const model::InputText& input) {
   }
   const block::Side side = side_of(input);
   const Expression e = block::leaf(input.name, block::Structure::kFull, {side, kOne});
-  inputs_.emplace(input.name, e);
-  const Unit any{.any = true};
   Units units;
-  units[0][0] = units[1][0] = any;
+  units[0][0] = unit_of_input(inputs_.size(), 0);
+  units[1][0] = unit_of_input(inputs_.size(), 1);
+  inputs_.emplace(input.name, e);
   if (side.set != block::Set::kLinks) {
     units[1][0] = std::nullopt;
   }
@@ -174,9 +174,10 @@ const model::Frame& Reading::frame(const std::string& name) const {
   for (const model::Link& link : tree_.links) {
     known.push_back(link.joint.name);
   }
+  const bool is_point = std::ranges::find(points_, name, &model::Point::name) != points_.end();
   throw std::runtime_error(
       fmt::format("there is no link or joint '{}'{}; expected one of the model", shown(name),
-                  did_you_mean(name, known)));
+                  is_point ? " (of points: at_point)" : did_you_mean(name, known)));
 }
 
 /// The moving link that is called so, or carries the link that is; else that of the joint.

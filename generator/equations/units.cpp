@@ -44,6 +44,33 @@ constexpr LeafRow kLeaves[] = {
     {"g", {.m = 1, .s = -2}, {.m = 1, .s = -2}},
 };
 
+std::string power(const char* name, int exponent) {
+  return exponent == 1 ? name : fmt::format("{}^{}", name, exponent);
+}
+
+/// Of kilogram, metre and second.
+std::string text_of(const Unit& unit) {
+  for (const UnitName& row : kNames) {
+    if (row.unit.kg == unit.kg && row.unit.m == unit.m && row.unit.s == unit.s) {
+      return row.text;
+    }
+  }
+  std::vector<std::string> above;
+  std::vector<std::string> below;
+  for (const auto& [name, exponent] :
+       {std::pair("kg", unit.kg), std::pair("m", unit.m), std::pair("s", unit.s)}) {
+    if (exponent != 0) {
+      (exponent > 0 ? above : below).push_back(power(name, std::abs(exponent)));
+    }
+  }
+  std::string top = above.empty() ? "1" : fmt::format("{}", fmt::join(above, " "));
+  if (below.empty()) {
+    return top;
+  }
+  return below.size() == 1 ? fmt::format("{}/{}", top, below.front())
+                           : fmt::format("{}/({})", top, fmt::join(below, " "));
+}
+
 std::optional<Unit> sum(const std::optional<Unit>& a, const std::optional<Unit>& b) {
   if (!a || !b) {
     return a ? a : b;
@@ -54,8 +81,12 @@ std::optional<Unit> sum(const std::optional<Unit>& a, const std::optional<Unit>&
   if (a->any) {
     return b;
   }
-  throw UnitError(
-      fmt::format("adds {} to {}; expected terms of one unit", to_string(*b), to_string(*a)));
+  if (a->inputs != b->inputs) {  // some units of the inputs fit
+    return Unit{.any = true};
+  }
+  const bool scaled = a->inputs != kNumber.inputs;
+  throw UnitError(fmt::format("adds {} to {}{}; expected terms of one unit", text_of(*b),
+                              text_of(*a), scaled ? ", times the same inputs" : ""));
 }
 
 Units sum(const Units& a, const Units& b) {
@@ -108,42 +139,31 @@ Units diagonal(const Units& a) {
   return result;
 }
 
-std::string power(const char* name, int exponent) {
-  return exponent == 1 ? name : fmt::format("{}^{}", name, exponent);
-}
-
 }  // namespace
 
 Unit operator*(const Unit& a, const Unit& b) {
   if (a.any || b.any) {
     return {.any = true};
   }
-  return {a.kg + b.kg, a.m + b.m, a.s + b.s};
+  Unit result{.kg = a.kg + b.kg, .m = a.m + b.m, .s = a.s + b.s};
+  for (std::size_t k = 0; k < result.inputs.size(); ++k) {
+    result.inputs[k] = static_cast<std::int8_t>(a.inputs[k] + b.inputs[k]);
+  }
+  return result;
+}
+
+Unit unit_of_input(std::size_t k, std::size_t kind) {
+  Unit result;
+  const std::size_t place = 2 * k + kind;
+  result.any = place >= result.inputs.size();
+  if (!result.any) {
+    result.inputs[place] = 1;
+  }
+  return result;
 }
 
 std::string to_string(const Unit& unit) {
-  if (unit.any) {
-    return "";
-  }
-  for (const UnitName& row : kNames) {
-    if (row.unit == unit) {
-      return row.text;
-    }
-  }
-  std::vector<std::string> above;
-  std::vector<std::string> below;
-  for (const auto& [name, exponent] :
-       {std::pair("kg", unit.kg), std::pair("m", unit.m), std::pair("s", unit.s)}) {
-    if (exponent != 0) {
-      (exponent > 0 ? above : below).push_back(power(name, std::abs(exponent)));
-    }
-  }
-  std::string top = above.empty() ? "1" : fmt::format("{}", fmt::join(above, " "));
-  if (below.empty()) {
-    return top;
-  }
-  return below.size() == 1 ? fmt::format("{}/{}", top, below.front())
-                           : fmt::format("{}/({})", top, fmt::join(below, " "));
+  return unit.any || unit.inputs != kNumber.inputs ? "" : text_of(unit);
 }
 
 std::string to_string(const Units& units) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -16,12 +17,15 @@ struct Unit {
   int kg = 0;
   int m = 0;
   int s = 0;
-  bool any = false;  ///< of an input of a user, or of a zero: fits everything
+  bool any = false;                      ///< of a zero, or not known: fits everything
+  std::array<std::int8_t, 16> inputs{};  ///< powers of the units of inputs, which users know
   friend bool operator==(const Unit&, const Unit&) = default;
 };
 Unit operator*(const Unit& a, const Unit& b);
-/// "N m", "kg m^2/s", "1".
+/// "N m", "kg m^2/s", "1"; empty where inputs decide.
 std::string to_string(const Unit& unit);
+/// Of input number k in rows of a kind of joints (0 revolute, 1 prismatic).
+Unit unit_of_input(std::size_t k, std::size_t kind);
 
 /// Units of the blocks of a matrix by the kind of joint (revolute, prismatic) that its row and its
 /// column belong to; sides that do not count links have the first kind only. Nothing: such blocks

@@ -169,9 +169,12 @@ Term Reader::name(const std::string& name, const model::EquationText& text, Read
     return *known;
   }
   if (other == texts_.end()) {
-    throw std::runtime_error(
-        fmt::format("there is no symbol '{}'; expected one of {}, an input or an equation",
-                    shown(name), fmt::join(known_names(), " ")));
+    throw std::runtime_error(fmt::format(
+        "there is no symbol '{}'{}; expected one of {}, an input or an equation", shown(name),
+        name == "q"   ? " (positions of joints are an input per link)"
+        : name == "T" ? " (a transpose is T(X))"
+                      : "",
+        fmt::join(known_names(), " ")));
   }
   return used(*other, reading);
 }

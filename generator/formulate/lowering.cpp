@@ -349,7 +349,7 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kPick:
       return at_points(v, e);
     case Op::kSpread:
-      return of(v.operands.front(), 0);
+      return spread(id, v, e);
     case Op::kCollect:
       return collect(v);
     case Op::kComponent:

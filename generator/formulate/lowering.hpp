@@ -108,6 +108,7 @@ class Lowering {
   [[nodiscard]] Block lever(const Value& v, int e) const;
   [[nodiscard]] Vec3 direction(int id, int e) const;
   [[nodiscard]] Block at_points(const Value& v, int e) const;
+  Block spread(int id, const Value& v, int e);
   [[nodiscard]] Block collect(const Value& v) const;
   void turn(const derive::Turning& turning, int i);
   Mat3 turned_by_column(int i, const Vec3& omega, const Vec3& third, const Squares& father,

@@ -133,6 +133,20 @@ Block Lowering::at_points(const Value& v, int e) const {
   return sum;
 }
 
+/// The same for all elements: a vector of many parts comes together once, in the base, from where
+/// it travels to them.
+Block Lowering::spread(int id, const Value& v, int e) {
+  if (e > 0) {
+    need(id, 0);
+    return of(id, 0);
+  }
+  Block result = of(v.operands.front(), 0);
+  if (v.type == Type::kVector && result.vector.size() > 1) {
+    result.vector = {{kBase, frames_.in(result.vector, kBase)}};
+  }
+  return result;
+}
+
 /// Sums of vectors stay parts: who needs them gathers them along the tree, one rotation a link.
 Block Lowering::collect(const Value& v) const {
   TREEDYN_EXPECT(v.type != Type::kTensor);

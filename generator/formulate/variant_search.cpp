@@ -208,6 +208,26 @@ void VariantSearch::try_ways(Candidate& best) {
   }
 }
 
+/// In frames of links or in the base: the algebra finds more of one than of the other.
+void VariantSearch::meet_elsewhere(Candidate& best) {
+  const auto with = [&](Way way) {
+    Variant variant = best.variant;
+    variant.way = way;
+    return variant;
+  };
+  const auto reached = [&](const Variant& variant) {
+    const program::Function function = formulations_.build(variant).function;
+    return optimise::estimate_operations(function.graph, function.outputs, optimise::Values::kAll);
+  };
+  const bool to_root = raw_cost(with(Way::kToRoot)) <= raw_cost(with(Way::kInLinks));
+  const Variant other = with(best.variant.way != Way::kInBase ? Way::kInBase
+                             : to_root                        ? Way::kToRoot
+                                                              : Way::kInLinks);
+  if (reached(other) < reached(best.variant)) {
+    best = {other, optimised_cost(other)};
+  }
+}
+
 /// Moves of the algebraic local search, fewer for large functions; none without a search.
 optimise::Effort VariantSearch::algebra_effort(const program::Function& function, int seed) const {
   optimise::Effort effort;
@@ -249,6 +269,9 @@ void VariantSearch::run() {
     descend(best, 0, optimised);
     moves_ = all / kMovesForRuns;
     cut_runs(best, optimised);
+  }
+  if (recipe_.freedom.open_way && options_.has(Pass::kSearch) && options_.has(Pass::kAlgebra)) {
+    meet_elsewhere(best);
   }
   best_ = best;
 }

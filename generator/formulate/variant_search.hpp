@@ -61,6 +61,7 @@ class VariantSearch {
     return variant.unit_length == 0 || has_unit_[to_index(variant.unit_length - 1)];
   }
   void try_ways(Candidate& best);
+  void meet_elsewhere(Candidate& best);
   void drop_what_does_not_pay(Candidate& best);
   int raw_cost(const Variant& variant);
   int optimised_cost(const Variant& variant);

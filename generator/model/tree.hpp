@@ -97,6 +97,15 @@ struct Snap {
   Real change = 0;   ///< |exact - written|, rad or 1
 };
 
+/// Damping and friction that a URDF declares of a joint, as written; in no function, since scenes
+/// have effects for them.
+struct Dissipation {
+  Location where;
+  std::string joint;
+  std::string damping;   ///< empty: none
+  std::string friction;  ///< empty: none
+};
+
 /// kOffset: of a joint, from the origin of the father; kPoint: of a point on its link; kScene: of a
 /// scene, which numbers of it are made of.
 enum class ParameterKind { kMass, kCom, kInertia, kOffset, kPoint, kGravity, kScene };
@@ -123,6 +132,7 @@ struct Tree {
   std::vector<Point> points;          ///< the model's own named points, in file order
   std::vector<Parameter> parameters;  ///< of one declaration one behind the other
   std::vector<Snap> snaps;
+  std::vector<Dissipation> dissipations;  ///< of the file, but zeros
   std::vector<Warning> warnings;
 
   [[nodiscard]] int size() const { return static_cast<int>(links.size()); }

@@ -59,8 +59,13 @@ Function optimised(const Function& function, const Effort& effort) {
   return result;
 }
 
-int estimate_operations(const Graph& graph, std::span<const Ref> outputs) {
-  return operations(run_rounds(network_of(graph, outputs), "fsp", 1));
+int estimate_operations(const Graph& graph, std::span<const Ref> outputs, Values values) {
+  Network network = run_rounds(network_of(graph, outputs), "fsp", 1);
+  if (values == Values::kAll) {
+    resubstitute(network, Quotients::kAnywhere, kMostAmplification);
+    network = run_rounds(normalise(network), "fsp", 1);
+  }
+  return operations(network);
 }
 
 }  // namespace treedyn::optimise

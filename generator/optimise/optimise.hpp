@@ -24,8 +24,13 @@ struct Effort {
 /// more grow as O(n log n).
 Function optimised(const Function& function, const Effort& effort = {});
 
-/// The number of operations that one round of passes reaches: cheap enough for the inner loop of a
-/// search over formulations. Not less than what `optimised` reaches.
-int estimate_operations(const Graph& graph, std::span<const Ref> outputs);
+/// Whether values that are had from others are looked for.
+enum class Values { kShared, kAll };
+
+/// The number of operations that one round of passes reaches, of shared factors and terms alone:
+/// cheap enough for the inner loop of a search over formulations. Not less than what `optimised`
+/// reaches.
+int estimate_operations(const Graph& graph, std::span<const Ref> outputs,
+                        Values values = Values::kShared);
 
 }  // namespace treedyn::optimise

@@ -14,8 +14,8 @@ namespace treedyn::optimise {
 
 namespace {
 
-/// Pairs are tried in networks of at most so many items.
-constexpr int kMostItemsForPairs = 4000;
+/// Of networks with more items, so many times fewer are tried in vain before the rest is left.
+constexpr int kManyItems = 4000;
 /// Pairs of operands are tried in sums and products of at most so many.
 constexpr std::size_t kLongestShortened = 24;
 /// A sum may be this much smaller than its terms.
@@ -369,18 +369,19 @@ int Resubstitution::run() {
   for (int k = 1; k <= known; ++k) {
     replaced += !network_.operands(k).empty() && replace_equal(k) ? 1 : 0;
   }
-  if (known > kMostItemsForPairs) {
-    return replaced;
-  }
   refresh();
   for (int k = 1; k <= known; ++k) {
     while (uses_[program::node_index(k)] > 0 && shorten(k)) {
       ++replaced;
     }
   }
-  for (int k = 1; k <= known; ++k) {
-    if (uses_[program::node_index(k)] > 0 && exclusive_operations(k) > 1 && replace_by_pair(k)) {
-      ++replaced;
+  const double crowd = std::max(1.0, static_cast<double>(known) / kManyItems);
+  const int patience = static_cast<int>(kManyItems / (crowd * crowd));
+  for (int k = 1, left = patience; k <= known && left > 0; ++k) {
+    if (uses_[program::node_index(k)] > 0 && exclusive_operations(k) > 1) {
+      const bool pays = replace_by_pair(k);
+      replaced += pays ? 1 : 0;
+      left = pays ? patience : left - 1;
     }
   }
   return replaced;

@@ -271,6 +271,41 @@ TEST_F(Cli, SaysThatOnlyEndsOfLinesDiffer) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("---")));
 }
 
+/// One changed number is one changed constant, whatever lines end in; another version is no change.
+TEST_F(Cli, ClassifiesWhatDiffersWithoutEndsOfLinesAndVersions) {
+  const auto line_of = [&](const char* name, const char* old_word, const char* new_word,
+                           bool returns) {
+    treedyn({"generate", kModel, "-o", out()});
+    std::string text = read_file(file(name));
+    const std::size_t place = text.find(old_word);
+    EXPECT_NE(place, std::string::npos) << old_word;
+    text.replace(place, std::string_view(old_word).size(), new_word);
+    for (std::size_t at = 0; returns && (at = text.find('\n', at)) != std::string::npos; at += 2) {
+      text.insert(at, 1, '\r');
+    }
+    write_file(file(name), text);
+    return treedyn({"check", kModel, "-o", out()}).out;
+  };
+  for (const bool returns : {false, true}) {
+    EXPECT_THAT(line_of("two_link.cpp", "= 95.0", "= 96.0", returns),
+                HasSubstr("two_link.cpp: constants only, 1 line\n"));
+    EXPECT_THAT(line_of("two_link.cpp", "upper_arm_p1 + f", "upper_arm_p1 - f", returns),
+                HasSubstr("two_link.cpp: structure, 1 line\n"));
+    EXPECT_THAT(line_of("two_link.json", "\"treedyn 0.1.0\"", "\"treedyn 0.0.1\"", returns),
+                HasSubstr("two_link.json: origin only, 1 line\n"));
+  }
+}
+
+/// CLI11 alone reads 010 as 8.
+TEST_F(Cli, ReadsNumbersInDecimalDigits) {
+  treedyn({"generate", kModel, "--effort", "010", "-o", out()});
+  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"effort\": 10,"));
+  for (const char* text : {"0x10", "1e3", "1.0", "", "-1", "99999999999"}) {
+    expect_usage_error(treedyn({"generate", kModel, "--effort", text, "-o", out()}),
+                       " is no whole number from 0 to 1000000000");
+  }
+}
+
 TEST_F(Cli, LetsModelsShareAFolder) {
   treedyn({"generate", kModel, "-o", out(), "--effort", "0"});
   treedyn({"generate", TREEDYN_SOURCE_DIR "/models/polar.yaml", "-o", out(), "--effort", "0"});
@@ -626,6 +661,7 @@ TEST_F(Cli, TellsAboutAModel) {
   EXPECT_THAT(text.out, HasSubstr("  x.  upper_arm\n  xx  forearm\n"));
   EXPECT_THAT(treedyn({"info", kModel, "--json"}).out, HasSubstr("\"dof\": 2"));
   EXPECT_THAT(text.out, testing::Not(HasSubstr("_checked")));
+  EXPECT_THAT(text.out, testing::Not(HasSubstr("dynamics>")));
   EXPECT_THAT(treedyn({"info", kModel, "--checked"}).out,
               HasSubstr("\n  forward_dynamics_checked "));
   EXPECT_THAT(treedyn({"info", kModel, "--equations"}).out, HasSubstr("c_fD = l_D + c^d D"));
@@ -634,6 +670,19 @@ TEST_F(Cli, TellsAboutAModel) {
                      "--stamp excludes --dump");
   expect_usage_error(treedyn({"info", kModel, "--accuracy", "--base-parameters"}),
                      "excludes --base-parameters");
+}
+
+TEST_F(Cli, TellsOfDampingThatNoFunctionHas) {
+  write_file(scratch("damped.urdf"),
+             R"(<robot name="damped"><link name="base"/><link name="arm"><inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<joint name="hip" type="continuous"><parent link="base"/><child link="arm"/>
+<dynamics damping="0.25"/></joint></robot>)");
+  const std::string path = scratch("damped.urdf");
+  EXPECT_THAT(treedyn({"info", path, "--effort", "0"}).out,
+              testing::ContainsRegex("in no function.*\n.*place.*\n.*:4:1.*hip.*0[.]25"));
+  EXPECT_THAT(treedyn({"info", path, "--effort", "0", "--json"}).out,
+              HasSubstr(R"("joint": "hip", "damping": "0.25", "friction": "")"));
 }
 
 TEST_F(Cli, StatesPointsInTheFrameOfTheirLink) {

@@ -106,6 +106,18 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
   EXPECT_EQ(outcome.err,
             equations + ":3:20: equation 'mixed': adds 1/s to N m; expected terms of one unit\n");
   EXPECT_FALSE(fs::exists(out()));
+  const auto message = [&](const std::string& equation) {
+    write_file(equations, "equations:\n  - {name: mine, " + equation + "}\n");
+    return treedyn({"generate", kModel, "--equations", equations, "-o", out()}).err;
+  };
+  EXPECT_THAT(message("inputs: [{name: a}], value: a * qd + a * qdd"),
+              HasSubstr("adds 1/s^2 to 1/s, times the same inputs; expected"));
+  EXPECT_THAT(message("inputs: [{name: a, per: link}], value: T(qd) * a * a + T(qdd) * a * a"),
+              HasSubstr("times the same inputs"));
+  EXPECT_EQ(message("inputs: [{name: a}, {name: b}], value: a * qd + b * qdd"), "");
+  EXPECT_THAT(message("value: G - 10 * q"), HasSubstr("'q' (positions of joints are an input"));
+  EXPECT_THAT(message("value: J_v^T * qd"), HasSubstr("'T' (a transpose is T(X))"));
+  EXPECT_THAT(message("value: T(at(tip)) * ones"), HasSubstr("'tip' (of points: at_point)"));
   for (const char* value :
        {">-\n      A * qdd +\n      qd * nothing", "|\n      A * qdd +\n\n      qd * nothing",
         "A * qdd +\n      qd * nothing", "\"A * qdd +\n      qd * nothing\""}) {

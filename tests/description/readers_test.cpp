@@ -6,9 +6,11 @@
 #include <fstream>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/transformed.hpp"
 #include "description/text_models.hpp"
 #include "description/vectors.hpp"
 
@@ -62,6 +64,32 @@ TEST(ReadUrdf, IgnoresWhatItDoesNotKnow) {
       1	0 "/><dynamics damping="x"/><safety_controller/><calibration/></joint></robot>)");
   EXPECT_EQ(tree.links[0].inertia.mass, Real(2));
   EXPECT_EQ(tree.links[0].joint.axis, (Vector3{0, 1, 0}));
+}
+
+/// No function has them, so that they are no numbers to be right.
+TEST(ReadUrdf, KeepsDampingAndFrictionAsWritten) {
+  const auto dissipations = [](const char* type, const char* dynamics) {
+    const model::Tree tree = urdf(fmt::format(
+        R"(<robot name="m"><link name="base"/>
+    <link name="a"><inertial><mass value="2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+    <link name="b"/>
+    <joint name="j" type="continuous"><parent link="base"/><child link="a"/></joint>
+    <joint name="k" type="{}"><parent link="a"/><child link="b"/>
+      {}</joint></robot>)",
+        type, dynamics));
+    return transformed(tree.dissipations, [](const model::Dissipation& of) {
+      return fmt::format("{} {}|{}|{}", of.where.line, of.joint, of.damping, of.friction);
+    });
+  };
+  using testing::ElementsAre;
+  using testing::IsEmpty;
+  EXPECT_THAT(dissipations("revolute", "<dynamics damping=' 0.50 ' friction='0.0'/>"),
+              ElementsAre("6 k|0.50|"));
+  EXPECT_THAT(dissipations("prismatic", "<dynamics friction='x'/><dynamics damping='1'/>"),
+              ElementsAre("6 k||x"));
+  EXPECT_THAT(dissipations("revolute", "<dynamics damping='0' friction='0e5'/>"), IsEmpty());
+  EXPECT_THAT(dissipations("revolute", "<dynamics/>"), IsEmpty());
+  EXPECT_THAT(dissipations("fixed", "<dynamics damping='1'/>"), IsEmpty());
 }
 
 TEST(ReadUrdf, ToleratesCommentsThatAreNoXml) {
@@ -462,6 +490,14 @@ TEST(Vet, FindsWhatIsNotReadAndLooksLikeASlip) {
   EXPECT_THAT(
       joint("<origin quat_xyzw=\"0 0 0 1\"/>"),
       ElementsAre("3: joint 'j': attribute 'quat_xyzw' of <origin> is unknown and not read"));
+  EXPECT_THAT(joint("<AXIS xyz=\"0 1 0\"/>"),
+              ElementsAre("3: joint 'j': <AXIS> (did you mean 'axis'?) is unknown and not read"));
+  EXPECT_THAT(joint("<pose>0 0 1 0 0 0</pose>"),
+              ElementsAre("3: joint 'j': <pose> (did you mean 'origin'?) is unknown and not read"));
+  EXPECT_THAT(joint("<origin> 0 0 1</origin>"),
+              ElementsAre("3: joint 'j': text in <origin> is not read; expected attributes"));
+  EXPECT_THAT(joint("<origin><xyz>0 0 1</xyz></origin>"),
+              ElementsAre("3: joint 'j': <xyz> is not read; expected attributes of <origin>"));
   EXPECT_THAT(joint("<link name=\"c\"/>"),
               ElementsAre("3: joint 'j': <link> is not read here; its place is in <robot>"));
   EXPECT_THAT(joint("<inertia/>"),
