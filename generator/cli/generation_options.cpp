@@ -37,8 +37,9 @@ Real positive(const std::string& option, const std::string& text) {
 CLI::Validator whole(int least, int most) {
   const auto check = [least, most](std::string& text) {
     int value = 0;
+    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
     const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    const auto [rest, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || rest != end || value < least || value > most) {
       return fmt::format("{} is no whole number from {} to {}", shown(text), least, most);
     }

@@ -150,6 +150,7 @@ const std::vector<KnownRow>& known_rows() {
       {"axis", {"xyz"}, {}},
       {"limit", {"lower", "upper", "velocity", "effort", "acceleration", "jerk"}, {}},
       {"mimic", {"joint", "multiplier", "offset"}, {}},
+      {"dynamics", {"damping", "friction", "mu_viscous", "mu_coulomb", "K", "D"}, {}},
   };
   return rows;
 }
@@ -191,11 +192,11 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
     }
     const std::string misplaced = place_of(stray.text);
     const std::string meant = misplaced.empty() ? meant_by(stray.text, row->children) : "";
-    if (leaf) {
+    if (!misplaced.empty()) {
+      find(stray.where, fmt::format("<{}> is not read here{}", shown(stray.text), misplaced));
+    } else if (leaf && stray.text.find(':') == std::string::npos) {
       find(stray.where, fmt::format("<{}> is not read; expected attributes of <{}>",
                                     shown(stray.text), element.name));
-    } else if (!misplaced.empty()) {
-      find(stray.where, fmt::format("<{}> is not read here{}", shown(stray.text), misplaced));
     } else if (!meant.empty()) {
       find(stray.where, fmt::format("<{}>{} is unknown and not read", shown(stray.text), meant));
     }

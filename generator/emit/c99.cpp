@@ -417,7 +417,7 @@ bool Translator::frame(const std::string& line, bool& is_local, Lines& result) c
     result.push_back(fmt::format("#error {}", digest.substr(comma + 2, digest.size() - comma - 4)));
     result.emplace_back("#endif");
   } else if (line.starts_with("static_assert(sizeof(1.0)")) {  // C99 has none
-    result.emplace_back("// Literals are float by -fsingle-precision-constant: not for that.");
+    result.emplace_back("// Not for -fsingle-precision-constant, which makes literals float.");
     result.emplace_back(
         "typedef char literals_are_double[sizeof(1.0) == sizeof(double) ? 1 : -1];");
   } else if (line == fmt::format("#include \"{}.hpp\"", unit_.name)) {

@@ -81,10 +81,10 @@ std::optional<Unit> sum(const std::optional<Unit>& a, const std::optional<Unit>&
   if (a->any) {
     return b;
   }
-  if (a->inputs != b->inputs) {  // some units of the inputs fit
-    return Unit{.any = true};
-  }
   const bool scaled = a->inputs != kNumber.inputs;
+  if (a->inputs != b->inputs) {  // some units of the inputs fit
+    return scaled ? b->inputs == kNumber.inputs ? b : std::optional(Unit{.any = true}) : a;
+  }
   throw UnitError(fmt::format("adds {} to {}{}; expected terms of one unit", text_of(*b),
                               text_of(*a), scaled ? ", times the same inputs" : ""));
 }

@@ -1,6 +1,7 @@
 // Sums along the tree, joint by joint, and their names.
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -133,8 +134,8 @@ Block Lowering::at_points(const Value& v, int e) const {
   return sum;
 }
 
-/// The same for all elements: a vector of many parts comes together once, in the base, from where
-/// it travels to them.
+/// The same for all elements: a vector of many parts comes together once, where their ways to the
+/// root meet, from where it travels to the elements.
 Block Lowering::spread(int id, const Value& v, int e) {
   if (e > 0) {
     need(id, 0);
@@ -142,7 +143,15 @@ Block Lowering::spread(int id, const Value& v, int e) {
   }
   Block result = of(v.operands.front(), 0);
   if (v.type == Type::kVector && result.vector.size() > 1) {
-    result.vector = {{kBase, frames_.in(result.vector, kBase)}};
+    const auto meet = [&](int a, const Part& b) {
+      while (a != kBase && !(b.frame != kBase && model::reaches(task_.tree, b.frame, a))) {
+        a = father(a);
+      }
+      return a;
+    };
+    const int at = std::accumulate(result.vector.begin(), result.vector.end(),
+                                   result.vector.front().frame, meet);
+    result.vector = {{at, frames_.in(result.vector, at)}};
   }
   return result;
 }

@@ -217,12 +217,15 @@ void VariantSearch::meet_elsewhere(Candidate& best) {
   };
   const auto reached = [&](const Variant& variant) {
     const program::Function function = formulations_.build(variant).function;
-    return optimise::estimate_operations(function.graph, function.outputs, optimise::Values::kAll);
+    const program::Cost raw = program::cost(function);
+    return weight(raw) - raw.total() +
+           optimise::estimate_operations(function.graph, function.outputs, optimise::Values::kAll);
   };
-  const bool to_root = raw_cost(with(Way::kToRoot)) <= raw_cost(with(Way::kInLinks));
-  const Variant other = with(best.variant.way != Way::kInBase ? Way::kInBase
-                             : to_root                        ? Way::kToRoot
-                                                              : Way::kInLinks);
+  Variant other = with(Way::kInBase);
+  if (best.variant.way == Way::kInBase) {
+    const bool to_root = raw_cost(with(Way::kToRoot)) <= raw_cost(with(Way::kInLinks));
+    other.way = to_root ? Way::kToRoot : Way::kInLinks;
+  }
   if (reached(other) < reached(best.variant)) {
     best = {other, optimised_cost(other)};
   }

@@ -14,7 +14,8 @@ namespace treedyn::optimise {
 
 namespace {
 
-/// Of networks with more items, so many times fewer are tried in vain before the rest is left.
+/// In networks of more items the search for pairs ends where it has found none for so many items
+/// in a row; fewer, by the cube of the size, in larger ones: none beyond 63000.
 constexpr int kManyItems = 4000;
 /// Pairs of operands are tried in sums and products of at most so many.
 constexpr std::size_t kLongestShortened = 24;
@@ -376,7 +377,7 @@ int Resubstitution::run() {
     }
   }
   const double crowd = std::max(1.0, static_cast<double>(known) / kManyItems);
-  const int patience = static_cast<int>(kManyItems / (crowd * crowd));
+  const int patience = static_cast<int>(kManyItems / (crowd * crowd * crowd));
   for (int k = 1, left = patience; k <= known && left > 0; ++k) {
     if (uses_[program::node_index(k)] > 0 && exclusive_operations(k) > 1) {
       const bool pays = replace_by_pair(k);

@@ -298,8 +298,10 @@ TEST_F(Cli, ClassifiesWhatDiffersWithoutEndsOfLinesAndVersions) {
 
 /// CLI11 alone reads 010 as 8.
 TEST_F(Cli, ReadsNumbersInDecimalDigits) {
-  treedyn({"generate", kModel, "--effort", "010", "-o", out()});
-  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"effort\": 10,"));
+  for (const char* text : {"010", "+10"}) {
+    treedyn({"generate", kModel, "--effort", text, "-o", out()});
+    EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"effort\": 10,"));
+  }
   for (const char* text : {"0x10", "1e3", "1.0", "", "-1", "99999999999"}) {
     expect_usage_error(treedyn({"generate", kModel, "--effort", text, "-o", out()}),
                        " is no whole number from 0 to 1000000000");

@@ -115,6 +115,10 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
   EXPECT_THAT(message("inputs: [{name: a, per: link}], value: T(qd) * a * a + T(qdd) * a * a"),
               HasSubstr("times the same inputs"));
   EXPECT_EQ(message("inputs: [{name: a}, {name: b}], value: a * qd + b * qdd"), "");
+  EXPECT_THAT(message("inputs: [{name: a}], value: tau - a * qd + qd"), HasSubstr("1/s to N m"));
+  EXPECT_THAT(message("inputs: [{name: a}], value: a * qd + tau + qd"), HasSubstr("1/s to N m"));
+  EXPECT_EQ(message("inputs: [{name: a}], value: G - a * qd"), "");
+  EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("value  2, N m"));
   EXPECT_THAT(message("value: G - 10 * q"), HasSubstr("'q' (positions of joints are an input"));
   EXPECT_THAT(message("value: J_v^T * qd"), HasSubstr("'T' (a transpose is T(X))"));
   EXPECT_THAT(message("value: T(at(tip)) * ones"), HasSubstr("'tip' (of points: at_point)"));

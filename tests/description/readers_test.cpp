@@ -498,6 +498,12 @@ TEST(Vet, FindsWhatIsNotReadAndLooksLikeASlip) {
               ElementsAre("3: joint 'j': text in <origin> is not read; expected attributes"));
   EXPECT_THAT(joint("<origin><xyz>0 0 1</xyz></origin>"),
               ElementsAre("3: joint 'j': <xyz> is not read; expected attributes of <origin>"));
+  EXPECT_THAT(joint("<origin><axis xyz=\"0 1 0\"/></origin>"),
+              ElementsAre("3: joint 'j': <axis> is not read here; its place is in <joint>"));
+  EXPECT_THAT(joint("<origin><gz:frame xmlns:gz=\"u\"/></origin>"), testing::IsEmpty());
+  EXPECT_THAT(joint("<dynamics dampin=\"1\" K=\"2\"/>"),
+              ElementsAre("3: joint 'j': attribute 'dampin' of <dynamics> (did you mean "
+                          "'damping'?) is unknown and not read"));
   EXPECT_THAT(joint("<link name=\"c\"/>"),
               ElementsAre("3: joint 'j': <link> is not read here; its place is in <robot>"));
   EXPECT_THAT(joint("<inertia/>"),
