@@ -158,10 +158,12 @@ std::string info_text(const Model& model, const Request& request,
 std::string passes_text(const Model& model, const Request& request) {
   const formulate::Options options = formulate_options(model, request);
   Rows rows = {{"pass"}};
-  for (const std::string& function : model.functions) {
-    const std::vector<formulate::PassCost> costs =
-        formulate::pass_costs(model.tree, function, options);
-    rows.front().push_back(function);
+  const auto add = [&](const std::string& name, const auto& function) {
+    const auto made = [&](const formulate::Options& some) {
+      return formulate::formulated(model.tree, function, some);
+    };
+    const std::vector<formulate::PassCost> costs = formulate::pass_costs(made, options);
+    rows.front().push_back(name);
     rows.resize(costs.size() + 1);
     for (std::size_t k = 0; k < costs.size(); ++k) {
       const program::Cost& cost = costs[k].cost;
@@ -170,6 +172,12 @@ std::string passes_text(const Model& model, const Request& request) {
       }
       rows[k + 1].push_back(fmt::format("{} + {}", cost.total(), cost.angles));
     }
+  };
+  for (const std::string& function : model.functions) {
+    add(function, function);
+  }
+  for (const auto& equation : model.equations) {
+    add(equation->equation.name, equation);
   }
   return fmt::format(
              "operations (add + mul + div) + pairs of sin and cos of {}, each row with the "

@@ -37,17 +37,17 @@ void switch_off(const std::vector<Pass>& without, Variant& variant) {
   }
 }
 
-std::vector<PassCost> pass_costs(const model::Tree& tree, const std::string& function,
+std::vector<PassCost> pass_costs(const std::function<program::Function(const Options&)>& made,
                                  const Options& options) {
   Options reduced = options;
   for (const PassInfo& info : passes()) {
     reduced.without.push_back(info.pass);
   }
-  std::vector<PassCost> rows = {{"link frames", cost(formulated(tree, function, reduced))}};
+  std::vector<PassCost> rows = {{"link frames", cost(made(reduced))}};
   for (const PassInfo& info : passes()) {
     if (std::ranges::find(options.without, info.pass) == options.without.end()) {
       std::erase(reduced.without, info.pass);
-      rows.push_back({info.name, cost(formulated(tree, function, reduced))});
+      rows.push_back({info.name, cost(made(reduced))});
     }
   }
   return rows;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,8 @@ struct PassCost {
   program::Cost cost;
 };
 
-/// \pre `function` is one of function_names().
-std::vector<PassCost> pass_costs(const model::Tree& tree, const std::string& function,
+/// \param made  the function as the options have it
+std::vector<PassCost> pass_costs(const std::function<program::Function(const Options&)>& made,
                                  const Options& options);
 
 }  // namespace treedyn::formulate

@@ -674,6 +674,15 @@ TEST_F(Cli, TellsAboutAModel) {
                      "excludes --base-parameters");
 }
 
+TEST_F(Cli, TellsWhatPassesGainForEquationsOfUsers) {
+  write_file(scratch("own.yaml"), "equations: [{name: own, value: T(ones) * m_d * J_v * qd}]\n");
+  const std::string table = treedyn({"info", kModel, "--equations", scratch("own.yaml"),
+                                     "--functions", "own", "--passes", "--effort", "0"})
+                                .out;
+  EXPECT_THAT(table, testing::ContainsRegex("  pass +own *\n"));
+  EXPECT_THAT(table, testing::ContainsRegex("  search +[1-9][0-9]* \\+ [12] *\n"));
+}
+
 TEST_F(Cli, TellsOfDampingThatNoFunctionHas) {
   write_file(scratch("damped.urdf"),
              R"(<robot name="damped"><link name="base"/><link name="arm"><inertial><mass value="1"/>
