@@ -46,7 +46,8 @@ CLI::Validator whole(int least, int most) {
     text = std::to_string(value);
     return std::string();
   };
-  return {check, fmt::format("INT in [{} - {}]", least, most), "whole"};
+  const bool bounded = least != std::numeric_limits<int>::min();
+  return {check, bounded ? fmt::format("INT in [{} - {}]", least, most) : "", "whole"};
 }
 
 CLI::Validator one_of(const std::vector<std::string>& words) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,8 @@ Real number(const std::string& option, const std::string& text);
 Real positive(const std::string& option, const std::string& text);
 
 /// A whole number in decimal digits, zeros before it or not (CLI11 alone takes 010 for 8).
-CLI::Validator whole(int least, int most);
+CLI::Validator whole(int least = std::numeric_limits<int>::min(),
+                     int most = std::numeric_limits<int>::max());
 
 /// A check whose words the option's type name already shows.
 CLI::Validator one_of(const std::vector<std::string>& words);

@@ -1,7 +1,6 @@
 #include "cli/scene_commands.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -168,7 +167,7 @@ void add_parts(CLI::App& command, AccuracyRequest& request) {
       ->type_name("FILE")
       ->needs(parts);
   command.add_option("--part", request.part, "measure this setting alone, into --parts")
-      ->transform(whole(0, std::numeric_limits<int>::max()))
+      ->transform(whole())
       ->type_name("N")
       ->needs(parts)
       ->excludes("--plan");

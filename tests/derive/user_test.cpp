@@ -184,8 +184,8 @@ TEST(Derived, MultipliesVectorsOfTheUserByNumbersMadeOfVectors) {
 /// A vector of the user stands on both sides of a sum over links, and alone.
 TEST(Derived, ProjectsOnAVectorOfTheUser) {
   for (const char* const text :
-       {"T(x) * (x * T(qd) * tau + x * T(qd) * B)", "T(x) * (x * T(qd) * (tau - G) + x)"}) {
-    expect_derived(text, turning_shapes(), {{"x", "", 3, {}}});
+       {"T(x) * (x * T(qd) * tau + x * T(qd) * B)", "T(x) * (x * T(qd) * (tau - G) + x * power)"}) {
+    expect_derived(text, turning_shapes(), {{"x", "", 3, {}}, {"power", "", 1, {}}});
   }
 }
 
