@@ -81,12 +81,14 @@ std::optional<Unit> sum(const std::optional<Unit>& a, const std::optional<Unit>&
   if (a->any) {
     return b;
   }
-  const bool scaled = a->inputs != kNumber.inputs;
+  const auto is_known = [](const Unit& unit) {
+    return unit.inputs == kNumber.inputs;
+  };
   if (a->inputs != b->inputs) {  // some units of the inputs fit
-    return scaled ? b->inputs == kNumber.inputs ? b : std::optional(Unit{.any = true}) : a;
+    return is_known(*a) ? a : is_known(*b) ? b : Unit{.any = true};
   }
   throw UnitError(fmt::format("adds {} to {}{}; expected terms of one unit", text_of(*b),
-                              text_of(*a), scaled ? ", times the same inputs" : ""));
+                              text_of(*a), is_known(*a) ? "" : ", times the same inputs"));
 }
 
 Units sum(const Units& a, const Units& b) {

@@ -144,7 +144,7 @@ Block Lowering::spread(int id, const Value& v, int e) {
   Block result = of(v.operands.front(), 0);
   if (v.type == Type::kVector && result.vector.size() > 1) {
     const auto meet = [&](int a, const Part& b) {
-      while (a != kBase && !(b.frame != kBase && model::reaches(task_.tree, b.frame, a))) {
+      while (a != kBase && !model::reaches(task_.tree, b.frame, a)) {
         a = father(a);
       }
       return a;

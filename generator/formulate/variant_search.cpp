@@ -31,6 +31,11 @@ constexpr int kNever = std::numeric_limits<int>::max();
 /// A length in m below this one is none.
 constexpr double kShortestUnit = 1e-9;
 
+/// Where passes leave so many operations.
+int weight_of(const program::Cost& raw, int operations) {
+  return weight(raw) - raw.total() + operations;
+}
+
 }  // namespace
 
 VariantSearch::VariantSearch(const model::Tree& tree, const Recipe& recipe, const Options& options,
@@ -85,7 +90,7 @@ int VariantSearch::optimised_cost(const Variant& variant) {
   moves_ -= kOptimisedMove;
   const program::Cost raw = formulations_.cost(variant);
   const int total = options_.has(Pass::kAlgebra) ? formulations_.estimate(variant) : raw.total();
-  const int cost = weight(raw) - raw.total() + total;
+  const int cost = weight_of(raw, total);
   return optimised_.emplace(variant, cost).first->second;
 }
 
@@ -218,8 +223,8 @@ void VariantSearch::meet_elsewhere(Candidate& best) {
   const auto reached = [&](const Variant& variant) {
     const program::Function function = formulations_.build(variant).function;
     const program::Cost raw = program::cost(function);
-    return weight(raw) - raw.total() +
-           optimise::estimate_operations(function.graph, function.outputs, optimise::Values::kAll);
+    return weight_of(raw, optimise::estimate_operations(function.graph, function.outputs,
+                                                        optimise::Values::kAll));
   };
   Variant other = with(Way::kInBase);
   if (best.variant.way == Way::kInBase) {

@@ -27,9 +27,9 @@ Function optimised(const Function& function, const Effort& effort = {});
 /// Whether values that are had from others are looked for.
 enum class Values { kShared, kAll };
 
-/// The number of operations that one round of passes reaches, of shared factors and terms alone:
-/// cheap enough for the inner loop of a search over formulations. Not less than what `optimised`
-/// reaches.
+/// The number of operations that one round of passes reaches. Of shared factors and terms alone:
+/// cheap enough for the inner loop of a search over formulations, and not less than what
+/// `optimised` reaches.
 int estimate_operations(const Graph& graph, std::span<const Ref> outputs,
                         Values values = Values::kShared);
 
