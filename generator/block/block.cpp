@@ -24,6 +24,8 @@ std::string to_string(const Side& side) {
       return size + "P";
     case Set::kRows:
       return size + "r";
+    case Set::kPassive:
+      return size + "p";
     case Set::kOne:
       break;
   }

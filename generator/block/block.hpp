@@ -12,7 +12,7 @@
 namespace treedyn::block {
 
 /// What the rows or columns of a block matrix count.
-enum class Set { kOne, kLinks, kPoints, kRows };
+enum class Set { kOne, kLinks, kPoints, kRows, kPassive };
 
 /// One side of a shape: `set` blocks, each `size` (1 or 3) numbers high or wide.
 struct Side {

@@ -25,6 +25,7 @@ int count(const Index& index, Set set) {
     case Set::kRows:
       return index.rows();
     case Set::kOne:
+    case Set::kPassive:  // of numbers alone
       break;
   }
   return 1;

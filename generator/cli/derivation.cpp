@@ -203,8 +203,12 @@ std::string derived_text(const Model& model, const Request& request, const Deriv
              name);
 }
 
-/// Where λ comes from: its K and b are what the derivation of R12'' leaves.
-std::string reactions_text(const derive::Derivation& derivation) {
+/// Where multipliers come from: their K and b are what the derivation leaves.
+std::string multipliers_text(const derive::Derivation& derivation) {
+  const bool least = derivation.values.acted().contains(derive::Rule::kLeast);
+  if (!least && !derivation.values.acted().contains(derive::Rule::kReactions)) {
+    return "";
+  }
   const int b = derivation.roots[1];
   std::string name = derivation.values[b].name;
   for (const derive::Line& line : derive::lines(derivation)) {
@@ -212,8 +216,8 @@ std::string reactions_text(const derive::Derivation& derivation) {
       name = line.text.substr(0, line.text.find(" = "));
     }
   }
-  return fmt::format("         λ of K λ = {}  <- {}\n", name,
-                     derive::row_of(derive::Rule::kReactions).name);
+  return fmt::format("         {0} of K {0} = {1}  <- {2}\n", least ? "μ" : "λ", name,
+                     derive::row_of(least ? derive::Rule::kLeast : derive::Rule::kReactions).name);
 }
 
 /// \param costs  empty: of rows, whose number a scene decides
@@ -222,9 +226,7 @@ std::string factored_text(const Model& model, const Request& request,
                           const std::vector<program::Cost>& costs) {
   std::string result = "\nnumbers of joints" + rules_text(function.derivation.values.acted()) +
                        "\nrecursion, row by row\n" + lines_text(function.derivation, costs) +
-                       (function.derivation.values.acted().contains(derive::Rule::kReactions)
-                            ? reactions_text(function.derivation)
-                            : "");
+                       multipliers_text(function.derivation);
   for (const auto& [leaf, of] : function.given) {
     const std::string text = block::print(of->equation.expression);
     result += fmt::format("\n{}\n{}", text == leaf ? leaf : fmt::format("{} = {}", leaf, text),
@@ -297,12 +299,14 @@ std::string scene_text(const Model& model, const Request& request, const std::st
   }
   const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
   const formulate::FactoredFunction& function = formulate::factored(name);
-  const bool solved = info.equations.size() > 1;
-  std::string result =
-      fmt::format("{}: equation {}{}{}\n", name, info.equation,
-                  solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string(),
-                  errata_text(info.equations, "")) +
-      definitions(info.equations);
+  const bool solved = *info.unknown != '\0';
+  const std::string unknowns =
+      solved                 ? fmt::format(" for {} and λ, zero there", info.unknown)
+      : *info.leaves != '\0' ? fmt::format(" for the least λ, zero there, and {}", info.leaves)
+                             : "";
+  std::string result = fmt::format("{}: equation {}{}{}\n", name, info.equation, unknowns,
+                                   errata_text(info.equations, "")) +
+                       definitions(info.equations);
   if (solved && formulate::has_trunk(model.tree)) {
     result += "\nwhere a scene acts on no link above it" + trunk_text(model, request);
   }

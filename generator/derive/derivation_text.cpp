@@ -243,7 +243,8 @@ class Printer {
       case Op::kTransposed:
         return fmt::format("{}^T", first(value));
       case Op::kCongruence:
-        return fmt::format("{0} {1} {0}^T", first(value), last(value));
+        return value.operands.size() == 1 ? fmt::format("{0} {0}^T", first(value))
+                                          : fmt::format("{0} {1} {0}^T", first(value), last(value));
       case Op::kEliminated:
       case Op::kFromLeaves:
       case Op::kFromRoot: {

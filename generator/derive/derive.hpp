@@ -66,4 +66,9 @@ std::optional<Factored> with_directions(const block::Expression& e);
 std::optional<Factored> constrained(const block::Expression& motion, const block::Expression& rows,
                                     const std::string& unknown, const std::string& reaction);
 
+/// The least unknown for which `equation`, M λ - s, is zero, by R12''': the lower half of K and b
+/// of K μ = b, λ, and a column that λ leaves. Nothing for other equations.
+std::optional<Factored> least(const block::Expression& equation, const block::Expression& leaves,
+                              const std::string& unknown, const std::string& multiplier);
+
 }  // namespace treedyn::derive

@@ -60,6 +60,7 @@ class Factoring {
   bool run(const Expression& equation);
   bool constrain(const Expression& motion, const Expression& rows, const std::string& reaction);
   bool along(const Expression& e);
+  bool least(const Expression& equation, const Expression& leaves, const std::string& multiplier);
 
  private:
   using Terms = std::vector<std::pair<Ratio, int>>;
@@ -69,6 +70,8 @@ class Factoring {
   }
   int identity() { return made(Op::kLeaf, {}, "E"); }
   int given(const std::string& name, const Sum& sum);
+  std::optional<int> number(const Expression& e);
+  std::optional<int> sum_of(const Sum& terms);
   int sum(const Terms& terms);
   int right(const Sum& terms);
   bool factor(const Sum& A);
@@ -80,6 +83,7 @@ class Factoring {
   Factored& result_;
   Values& values_;
   std::string unknown_;
+  int least_ = -1;    ///< what the unknown is, where others are made of it
   int below_ = -1;    ///< L' = L - E
   int inverse_ = -1;  ///< Δ^-1
 };
@@ -91,8 +95,61 @@ int Factoring::given(const std::string& name, const Sum& sum) {
     const Expression term = factor == kPlus ? e : factor * e;
     all = all ? *all + term : term;
   }
-  result_.given.emplace_back(name, *all);
+  const auto same = [&](const auto& one) {
+    return one.first == name && equal(one.second, *all);
+  };
+  if (std::ranges::none_of(result_.given, same)) {
+    result_.given.emplace_back(name, *all);
+  }
   return made(Op::kLeaf, {}, name, all->shape().rows.set);
+}
+
+std::optional<int> Factoring::sum_of(const Sum& terms) {
+  Terms result;
+  for (const auto& [factor, e] : terms) {
+    const std::optional<int> x = number(e);
+    if (!x) {
+      return std::nullopt;
+    }
+    result.emplace_back(factor, *x);
+  }
+  return sum(result);
+}
+
+/// Sums and products of symbols whose entries are numbers of their own, and of what has a name,
+/// which is given. Nothing for others.
+std::optional<int> Factoring::number(const Expression& e) {
+  const std::vector<Expression>& operands = e.operands();
+  const Set rows = e.shape().rows.set;
+  switch (e.kind()) {
+    case Kind::kLeaf: {
+      const bool known = e.node().structure == block::Structure::kRowPoints ||
+                         e.node().structure == block::Structure::kFull;
+      return !known ? std::nullopt
+             : is_leaf(e, unknown_.c_str()) && least_ >= 0
+                 ? std::optional(least_)
+                 : std::optional(made(Op::kLeaf, {}, e.node().name, rows));
+    }
+    case Kind::kNamed:
+      return given(e.node().name, {{kPlus, e}});
+    case Kind::kTranspose: {
+      const std::optional<int> inner = number(operands.front());
+      return inner ? std::optional(made(Op::kTransposed, {*inner}, "", rows)) : std::nullopt;
+    }
+    case Kind::kProduct: {
+      std::optional<int> x = number(operands.back());
+      for (auto f = operands.rbegin() + 1; f != operands.rend() && x; ++f) {
+        const std::optional<int> left = number(*f);
+        x = left ? std::optional(made(Op::kApply, {*left, *x}, "", f->shape().rows.set)) : left;
+      }
+      return x;
+    }
+    case Kind::kScaled:
+    case Kind::kSum:
+      return sum_of(terms_of(e));
+    default:
+      return std::nullopt;
+  }
 }
 
 int Factoring::sum(const Terms& terms) {
@@ -208,32 +265,40 @@ bool Factoring::constrain(const Expression& motion, const Expression& rows,
 
 /// Sums of X S and S^T x.
 bool Factoring::along(const Expression& e) {
-  const auto is_S = [](const Expression& f) {
-    return f.node().structure == block::Structure::kRowPoints && f.kind() == Kind::kLeaf;
-  };
-  Terms terms;
-  for (const auto& [factor, term] : terms_of(e.kind() == Kind::kNamed ? e.operands().front() : e)) {
-    const std::vector<Expression>& f = term.operands();
-    if (term.kind() != Kind::kProduct || f.size() != 2) {
-      return false;
-    }
-    const bool first = f[0].kind() == Kind::kTranspose && is_S(f[0].operands().front());
-    const Expression& S = first ? f[0].operands().front() : f[1];
-    const Expression& x = first ? f[1] : f[0];
-    if (!is_S(S) || x.kind() != Kind::kNamed) {
-      return false;
-    }
-    const int directions = made(Op::kLeaf, {}, S.node().name, Set::kPoints);
-    const int others = given(x.node().name, {{kPlus, x}});
-    const int product =
-        first ? made(Op::kApply, {made(Op::kTransposed, {directions}, "", Set::kRows), others}, "",
-                     Set::kRows)
-              : made(Op::kApply, {others, directions});
-    terms.emplace_back(factor, product);
+  const std::optional<int> x = number(block::unnamed(e));
+  if (x) {
+    result_.derivation.shape = e.shape();
+    result_.derivation.roots = {values_.note(Rule::kDistribute, *x)};
   }
-  result_.derivation.shape = e.shape();
-  result_.derivation.roots = {values_.note(Rule::kDistribute, sum(terms))};
-  return true;
+  return x.has_value();
+}
+
+/// λ = M^T μ, M M^T μ = s.
+bool Factoring::least(const Expression& equation, const Expression& leaves,
+                      const std::string& multiplier) {
+  const Sum terms = terms_of(equation);
+  const std::optional<Expression> matrix = factor_of(terms, unknown_, kPlus);
+  Sum others = with(terms, unknown_, false);
+  for (auto& [factor, _] : others) {
+    factor = multiply(kMinus, factor);
+  }
+  const std::optional<int> M = matrix ? number(*matrix) : std::nullopt;
+  const std::optional<int> s = M && !others.empty() ? sum_of(others) : std::nullopt;
+  if (!s) {
+    return false;
+  }
+  const Set rows = matrix->shape().rows.set;
+  const Set cols = matrix->shape().cols.set;
+  const int K = values_.note(Rule::kLeast, made(Op::kCongruence, {*M}, "K", rows));
+  const int mu = made(Op::kLeaf, {}, multiplier, rows);
+  const int turned = made(Op::kTransposed, {*M}, "", cols);
+  least_ = values_.note(Rule::kLeast, made(Op::kApply, {turned, mu}, unknown_, cols));
+  const std::optional<int> left = number(block::unnamed(leaves));
+  if (left) {
+    result_.derivation.shape = leaves.shape();
+    result_.derivation.roots = {K, *s, least_, *left};
+  }
+  return left.has_value();
 }
 
 bool Factoring::run(const Expression& equation) {
@@ -271,6 +336,13 @@ std::optional<Factored> constrained(const Expression& motion, const Expression& 
   Factored result;
   return Factoring(result, unknown).constrain(motion, rows, reaction) ? std::optional(result)
                                                                       : std::nullopt;
+}
+
+std::optional<Factored> least(const Expression& equation, const Expression& leaves,
+                              const std::string& unknown, const std::string& multiplier) {
+  Factored result;
+  return Factoring(result, unknown).least(equation, leaves, multiplier) ? std::optional(result)
+                                                                        : std::nullopt;
 }
 
 }  // namespace treedyn::derive

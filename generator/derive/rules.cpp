@@ -6,9 +6,11 @@ namespace treedyn::derive {
 
 namespace {
 
-constexpr std::array<RuleRow, 37> kRules = {{
+constexpr std::array<RuleRow, 38> kRules = {{
     {Rule::kRates, "R11",
-     "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
+     "dot: (X Y)' = X' Y + X Y', of a number y^T M y with M = M^T 2 y^T M y' + y^T M' y; D, σ, m "
+     "are "
+     "constant, vectors of links turn, s has the slide"},
     {Rule::kValueRates, "R11'",
      "dot of what is derived, in frames of links: y = D^T a + N^T b: y' = D^T a' + N^T (b' + w×y), "
      "w = σ q̇ z"},
@@ -64,6 +66,7 @@ constexpr std::array<RuleRow, 37> kRules = {{
      "L x = r: x = r - L' x from the root; L^T x = r: x = r - L'^T x from the leaves"},
     {Rule::kReactions, "R12''",
      "A x = r + J^T λ, J x = s: L^T Y = J^T, L^T y = r, K λ = s - Y^T Δ^-1 y with K = Y^T Δ^-1 Y"},
+    {Rule::kLeast, "R12'''", "M λ = s, the least λ·λ: λ = M^T μ, K μ = s with K = M M^T"},
     {Rule::kTrunk, "R13",
      "joints at the root that move a link in every way: y = B q̈ + γ along its axes takes their "
      "place, B^T f = τ"},

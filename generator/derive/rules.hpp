@@ -44,6 +44,7 @@ enum class Rule {
   kFactors,
   kTriangles,
   kReactions,
+  kLeast,
   kTrunk,
 };
 

@@ -73,7 +73,7 @@ enum class Op {
   kFromRoot,        ///< x = r - L' x, of r, L'
   kDiagonal,        ///< the diagonal of a matrix of numbers
   kTransposed,      ///< the transpose of a matrix of numbers
-  kCongruence,      ///< Y d Y^T of Y, d
+  kCongruence,      ///< Y d Y^T of Y, d; Y Y^T of Y
 };
 
 struct Value {

@@ -169,6 +169,13 @@ Constrained constrained_dynamics() {
   return {free_dynamics() - J_T * lambda, transpose(J_T) * qdd + bias_of_attached_rows() - a_des};
 }
 
+// (8) with R = S λ, for τ and the least λ by which joints without a drive need none
+LeastReactions constrained_inverse_dynamics() {
+  const Expression J_T = reaction_jacobian_transpose();
+  const Expression h = named("h", loaded_dynamics());
+  return {transpose(E_u) * J_T * lambda - transpose(E_u) * h, named("τ", h - J_T * lambda)};
+}
+
 // 6.4, for Δ = q̇+ - q̇-; q̇ is that before
 Constrained impact() {
   const Expression J_T = reaction_jacobian_transpose();

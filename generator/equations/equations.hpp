@@ -105,6 +105,14 @@ Constrained constrained_dynamics();
 /// 6.4: A Δq̇ - J^T λ and J Δq̇ + (1+e)^d J q̇, for Δq̇ and impulses λ; q̇ is that before.
 Constrained impact();
 
+/// Zero for reactions λ, and the forces of drives that they leave.
+struct LeastReactions {
+  Expression passive;
+  Expression drives;
+};
+/// 6.2: E_u^T J^T λ - E_u^T h and τ = h - J^T λ with h = A q̈ + B + G - Q.
+LeastReactions constrained_inverse_dynamics();
+
 /// p, 3P: positions, base frame (s_i of a root link is P_i here).
 Expression point_positions();
 /// v = C^T q̇, 3P.

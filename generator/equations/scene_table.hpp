@@ -14,9 +14,9 @@ struct SceneFunctionInfo {
   const char* name;  ///< without the suffixes of phases, contacts and impacts
   const char* equation;
   const char* what;
-  std::vector<block::Expression>
-      equations{};           ///< zero where there are two; none: no block equation
-  const char* unknown = "";  ///< of two equations, beside λ
+  std::vector<block::Expression> equations{};  ///< none: no block equation
+  const char* unknown = "";                    ///< for which the equations are zero, beside λ
+  const char* leaves = "";  ///< what the least λ for which the first is zero leaves: the second
 };
 
 /// All of them, in order.

@@ -5,64 +5,14 @@
 #include "common/index.hpp"
 #include "common/transformed.hpp"
 #include "formulate/contacts.hpp"
-#include "formulate/factored.hpp"
-#include "formulate/joint_numbers.hpp"
 #include "formulate/scene_drift.hpp"
-#include "formulate/scene_rows.hpp"
+#include "formulate/scene_solution.hpp"
 #include "formulate/scene_system.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {
 
 namespace {
-
-/// J^T, a row for every joint.
-SparseRows transposed(const std::vector<Row>& rows, std::size_t joints) {
-  SparseRows result(joints);
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (const auto& [k, value] : rows[r].columns) {
-      result[to_index(k)][static_cast<int>(r)] = value;
-    }
-  }
-  return result;
-}
-
-/// The equations of a scene and its rows, solved but for λ.
-class Solution {
- public:
-  /// \param leaf  of all symbols but A and J^T
-  Solution(const char* function, Graph& graph, const SceneSystem& system, const SceneRows& rows,
-           const Numbers::Leaf& leaf)
-      : size_(rows.size()),
-        numbers_(
-            graph, system.dof(), factored(function).derivation,
-            [&](const std::string& symbol) {
-              return symbol == "A"     ? sparse(system.dof(), system.inertia())
-                     : symbol == "J^T" ? transposed(rows.rows(), to_index(system.dof()))
-                                       : leaf(symbol);
-            },
-            size_) {}
-
-  /// The lower half of K, row by row, and b behind it.
-  [[nodiscard]] std::vector<Expr> equations() const {
-    std::vector<Expr> result;
-    for (int i = 0; i < size_; ++i) {
-      const SparseRow& row = numbers_.root(0)[to_index(i)];
-      for (int j = 0; j <= i; ++j) {
-        const auto found = row.find(j);
-        result.push_back(found == row.end() ? Expr() : found->second);
-      }
-    }
-    const std::vector<Expr> b = column_of(numbers_.root(1));
-    result.insert(result.end(), b.begin(), b.end());
-    return result;
-  }
-  [[nodiscard]] std::vector<Expr> x() const { return column_of(numbers_.root(2)); }
-
- private:
-  int size_;
-  Numbers numbers_;
-};
 
 std::vector<Expr> inputs(Graph& graph, int array, int count) {
   std::vector<Expr> result;
@@ -130,14 +80,15 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   const SceneRows rows(*task.options.scene, active, system.frame(), graph, system.meaning(),
                        correction);
   const std::vector<Expr> mu = inputs(graph, arrays.mu, rows.size());
-  const Solution solution("constrained_dynamics", graph, system, rows,
-                          [&](const std::string& symbol) {
-                            return sparse(symbol == "τ"       ? system.tau()
-                                          : symbol == "h"     ? system.h()
-                                          : symbol == "a_des" ? rows.wanted()
-                                          : symbol == "γ"     ? rows.gamma()
-                                                              : mu);
-                          });
+  const SceneSolution solution("constrained_dynamics", graph, system.dof(), rows.rows(),
+                               [&](const std::string& symbol) {
+                                 return symbol == "A" ? sparse(system.dof(), system.inertia())
+                                                      : sparse(symbol == "τ"       ? system.tau()
+                                                               : symbol == "h"     ? system.h()
+                                                               : symbol == "a_des" ? rows.wanted()
+                                                               : symbol == "γ"     ? rows.gamma()
+                                                                                   : mu);
+                               });
   std::vector<Expr> result = solution.equations();
   const std::vector<Expr> qdd = system.accelerations(solution.x());
   result.insert(result.end(), qdd.begin(), qdd.end());
@@ -184,9 +135,11 @@ std::vector<Expr> build_impact(const Task& task) {
     v.push_back(rebound[v.size()] * speed);
   }
   const std::vector<Expr> mu = inputs(graph, arrays.mu, rows.size());
-  const Solution solution("impact", graph, system, rows, [&](const std::string& symbol) {
-    return sparse(symbol == "v" ? v : mu);
-  });
+  const SceneSolution solution("impact", graph, system.dof(), rows.rows(),
+                               [&](const std::string& symbol) {
+                                 return symbol == "A" ? sparse(system.dof(), system.inertia())
+                                                      : sparse(symbol == "v" ? v : mu);
+                               });
   std::vector<Expr> result = solution.equations();
   const std::vector<Expr> change = system.joint_velocities(solution.x());
   for (std::size_t i = 0; i < qd.size(); ++i) {

@@ -29,9 +29,10 @@ std::optional<derive::Factored> solution_of(const std::string& name) {
   }
   const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
   TREEDYN_EXPECT(!info.equations.empty());
-  return info.equations.size() == 1
-             ? derive::with_directions(info.equations[0])
-             : derive::constrained(info.equations[0], info.equations[1], info.unknown, "λ");
+  const std::vector<block::Expression>& e = info.equations;
+  return e.size() == 1           ? derive::with_directions(e[0])
+         : *info.unknown != '\0' ? derive::constrained(e[0], e[1], info.unknown, "λ")
+                                 : derive::least(e[0], e[1], "λ", "μ");
 }
 
 FactoredFunction make(const std::string& name) {

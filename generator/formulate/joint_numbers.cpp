@@ -47,10 +47,11 @@ std::vector<Expr> column_of(const SparseRows& rows) {
 }
 
 Numbers::Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf,
-                 int reactions)
+                 int reactions, int passive)
     : graph_(graph),
       size_(to_index(size)),
       reactions_(to_index(reactions)),
+      passive_(to_index(passive)),
       derivation_(derivation),
       needed_(derivation.values.needed(derivation.roots)),
       rows_(to_index(derivation.values.size())),
@@ -74,7 +75,7 @@ void Numbers::run(int id, const Leaf& leaf) {
       hand_on(id, v.operands[1], k);
     }
   } else {
-    const std::size_t size = v.set == block::Set::kRows ? reactions_ : size_;
+    const std::size_t size = size_of(v.set);
     rows_[to_index(id)].resize(size);
     for (std::size_t k = 0; k < size; ++k) {
       make(id, k);
@@ -199,18 +200,24 @@ SparseRow Numbers::applied(const derive::Value& v, std::size_t k) const {
   return sum;
 }
 
-/// Row i of Y d Y^T, the lower half.
+/// Row i of Y d Y^T or of Y Y^T, the lower half.
 SparseRow Numbers::congruent(const derive::Value& v, std::size_t i) const {
   SparseRow result;
   const SparseRow& y_i = of(v.operands[0], i);
   for (std::size_t j = 0; j <= i; ++j) {
     for (const auto& [k, y_jk] : of(v.operands[0], j)) {
       if (const auto y_ik = y_i.find(k); y_ik != y_i.end()) {
-        result[static_cast<int>(j)] += y_ik->second * (y_jk * of(v.operands[1], to_index(k)).at(k));
+        const bool one = v.operands.size() == 1;
+        result[static_cast<int>(j)] +=
+            y_ik->second * (one ? y_jk : y_jk * of(v.operands[1], to_index(k)).at(k));
       }
     }
   }
   return result;
+}
+
+std::size_t Numbers::size_of(block::Set set) const {
+  return set == block::Set::kRows ? reactions_ : set == block::Set::kPassive ? passive_ : size_;
 }
 
 /// The value that a travelling one is.

@@ -33,11 +33,12 @@ class Numbers {
   using Leaf = std::function<SparseRows(const std::string&)>;
 
   /// \param size  of what counts joints
-  /// \param reactions  rows of reactions
   /// \param derivation  outlives this
+  /// \param reactions  rows of reactions
+  /// \param passive  joints without a drive
   /// \throws std::range_error for a pivot that is zero
   Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf,
-          int reactions = 0);
+          int reactions = 0, int passive = 0);
 
   [[nodiscard]] const SparseRows& root(std::size_t k = 0) const {
     return rows_[static_cast<std::size_t>(derivation_.roots[k])];
@@ -56,6 +57,7 @@ class Numbers {
   [[nodiscard]] SparseRow applied(const derive::Value& v, std::size_t k) const;
   [[nodiscard]] SparseRow congruent(const derive::Value& v, std::size_t i) const;
   [[nodiscard]] int defined(int id) const;
+  [[nodiscard]] std::size_t size_of(block::Set set) const;
   [[nodiscard]] const SparseRow& of(int id, std::size_t k) const {
     return rows_[static_cast<std::size_t>(defined(id))][k];
   }
@@ -63,6 +65,7 @@ class Numbers {
   Graph& graph_;
   std::size_t size_;
   std::size_t reactions_;
+  std::size_t passive_;
   const derive::Derivation& derivation_;
   std::vector<int> needed_;
   std::vector<SparseRows> rows_;  ///< by value

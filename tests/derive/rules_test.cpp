@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "block/print.hpp"
+#include "block/rewrite.hpp"
 #include "derive/derivation_text.hpp"
 #include "derive/derive.hpp"
 #include "derive/forms.hpp"
@@ -984,6 +985,23 @@ TEST(R12, EliminatesAccelerationsFromRows) {
   ASSERT_EQ(f.derivation.roots.size(), 3U);
   EXPECT_EQ(f.derivation.values[f.derivation.roots[0]].op, Op::kCongruence);
   EXPECT_EQ(f.derivation.values[f.derivation.roots[2]].op, Op::kFromRoot);
+}
+
+TEST(R12, TakesTheLeastReactionsOfAMotion) {
+  const auto& [passive, drives] = constrained_inverse_dynamics();
+  const Factored f = least(passive, drives, "λ", "μ").value();
+  EXPECT_TRUE(f.derivation.values.acted().contains(Rule::kLeast));
+  ASSERT_EQ(f.given.size(), 2U);
+  EXPECT_TRUE(block::equal(f.given[0].second, reaction_jacobian_transpose()));
+  EXPECT_TRUE(block::equal(block::unnamed(f.given[1].second), loaded_dynamics()));
+  ASSERT_EQ(f.derivation.roots.size(), 4U);
+  EXPECT_EQ(f.derivation.values[f.derivation.roots[0]].op, Op::kCongruence);
+  EXPECT_EQ(f.derivation.values[f.derivation.roots[3]].op, Op::kLinear);
+  const Expression h = named("h", loaded_dynamics());
+  const Expression M = transpose(E_u) * reaction_jacobian_transpose();
+  EXPECT_FALSE(least(M * lambda, drives, "λ", "μ"));  // nothing to be equal to
+  EXPECT_FALSE(least(M * lambda - transpose(E_u) * (D * qdd), drives, "λ", "μ"));
+  EXPECT_FALSE(least(-(M * lambda) + transpose(E_u) * h, drives, "λ", "μ"));
 }
 
 TEST(R12, LeavesRowsThatAreNotThoseOfTheReactions) {

@@ -1,5 +1,6 @@
 // What R12 derives, carried out with numbers: matrices with the zeros of a tree and without.
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
@@ -177,6 +178,66 @@ TEST_P(Factored, MotionsUnderRowsAreSolvedButForTheReactions) {
               lambda[static_cast<std::size_t>(k)].value();
     }
     EXPECT_LE(abs(rest), kTolerance) << r;
+  }
+}
+
+/// λ = M^T μ and M λ = K μ for every μ; τ = h - J^T λ, M = E_u^T J^T.
+TEST_P(Factored, ReactionsAreTheLeastOfThoseThatDoWithoutDrives) {
+  constexpr int kRows = 3;
+  constexpr int kPassive = 2;
+  const int n = GetParam().size;
+  const auto number = [this](int k) {
+    return constant(graph_, Real((29 * k + 3) % 17 - 8) / 10);
+  };
+  SparseRows J_T(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) {
+    for (int r = i % 2; r < kRows; ++r) {
+      J_T[static_cast<std::size_t>(i)][r] = number(5 * i + r);
+    }
+  }
+  SparseRows E_u(static_cast<std::size_t>(n));
+  const std::array<int, kPassive> joints = {1, n - 1};
+  std::vector<Expr> mu;
+  for (int u = 0; u < kPassive; ++u) {
+    E_u[static_cast<std::size_t>(joints[static_cast<std::size_t>(u)])][u] =
+        constant(graph_, Real(1));
+    mu.push_back(number(60 + u));
+  }
+  const auto& [passive, drives] = equations::constrained_inverse_dynamics();
+  const derive::Derivation derivation = derive::least(passive, drives, "λ", "μ").value().derivation;
+  const Numbers solved(
+      graph_, n, derivation,
+      [&](const std::string& name) {
+        return name == "J^T" ? J_T : name == "E_u" ? E_u : name == "h" ? sparse(b_) : sparse(mu);
+      },
+      kRows, kPassive);
+  for (int r = 0; r < kRows; ++r) {
+    Real rest = at(solved.root(2), r, 0);
+    for (std::size_t u = 0; u < kPassive; ++u) {
+      rest -= at(J_T, joints[u], r) * mu[u].value();
+    }
+    EXPECT_LE(abs(rest), kTolerance) << r;
+  }
+  const auto pushed = [&](int i) {  // J^T λ
+    Real sum = 0;
+    for (int r = 0; r < kRows; ++r) {
+      sum += at(J_T, i, r) * at(solved.root(2), r, 0);
+    }
+    return sum;
+  };
+  for (int u = 0; u < kPassive; ++u) {
+    const int i = joints[static_cast<std::size_t>(u)];
+    Real rest = pushed(i);
+    for (int k = 0; k < kPassive; ++k) {
+      rest -= at(solved.root(0), std::max(u, k), std::min(u, k)) *
+              mu[static_cast<std::size_t>(k)].value();
+    }
+    EXPECT_LE(abs(rest), kTolerance) << u;
+    EXPECT_LE(abs(at(solved.root(1), u, 0) - b_[static_cast<std::size_t>(i)].value()), kTolerance);
+  }
+  for (int i = 0; i < n; ++i) {
+    const Real h = b_[static_cast<std::size_t>(i)].value();
+    EXPECT_LE(abs(at(solved.root(3), i, 0) - (h - pushed(i))), kTolerance) << i;
   }
 }
 
