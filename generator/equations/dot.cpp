@@ -1,6 +1,7 @@
 #include "equations/dot.hpp"
 
 #include "block/rewrite.hpp"
+#include "equations/quadratic.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::equations {
@@ -13,6 +14,10 @@ using block::transpose;
 using Rate = std::optional<Expression>;  ///< nothing: zero
 
 Rate sum(const Rate& a, const Rate& b) { return a && b ? *a + *b : a ? a : b; }
+
+Expression scaled(const block::Ratio& factor, const Expression& e) {
+  return factor == block::Ratio{} ? e : factor * e;
+}
 
 /// Λ(diagb(ω)) X: X turns with ω.
 Expression turning(const Expression& omega, const Expression& x) { return skew(diagb(omega)) * x; }
@@ -75,10 +80,43 @@ Rate of_product(const std::vector<Expression>& x, const Rates& rates) {
   return result;
 }
 
+/// 2 y^T M y' + y^T M' y; of J' = Λ(ω) J - J Λ(ω) that is -2 y^T J Λ(ω) y.
+Rate of_form(const QuadraticForm& form, const Rates& rates) {
+  const Expression left = transpose(form.y);
+  const auto times_middle = [&](const Expression& x, const std::vector<Expression>& middle) {
+    Expression result = left;
+    for (const Expression& factor : middle) {
+      result = result * factor;
+    }
+    return result * x;
+  };
+  Rate moving = rate(form.y, rates);
+  Rate result;
+  for (std::size_t k = 0; k < form.middle.size(); ++k) {
+    if (block::is_leaf(form.middle[k], J_d.node().name)) {
+      const Expression turned = skew(diagb(D * (z_d * sigma * qd))) * form.y;
+      moving = moving ? *moving - turned : -turned;
+    } else if (const Rate inner = rate(form.middle[k], rates)) {
+      std::vector<Expression> middle = form.middle;
+      middle[k] = *inner;
+      result = sum(result, scaled(form.factor, times_middle(form.y, middle)));
+    }
+  }
+  const block::Ratio twice = block::multiply({2, 1}, form.factor);
+  return moving ? sum(scaled(twice, times_middle(*moving, form.middle)), result) : result;
+}
+
 Rate rate(const Expression& e, const Rates& rates) {
   const std::vector<Expression>& x = e.operands();
   if (e.kind() == Kind::kLeaf) {
     return of_leaf(e, rates);
+  }
+  if (const auto forms = quadratic_forms(e)) {
+    Rate result;
+    for (const QuadraticForm& form : *forms) {
+      result = sum(result, of_form(form, rates));
+    }
+    return result;
   }
   if (e.kind() == Kind::kProduct) {
     return of_product(x, rates);

@@ -21,7 +21,8 @@ using Rates = std::map<std::string, std::optional<block::Expression>>;
 
 /// dX/dt by the product rule and the rates of the leaves: D, σ, m are constant; z and s turn with
 /// the father and s takes the father's slide; l, t, c and J turn with their links, slides add their
-/// speed; the rate of q̇ is q̈.
+/// speed; the rate of q̇ is q̈. Of a single number y^T M y with M = M^T it is 2 y^T M dot(y) + y^T
+/// dot(M) y.
 /// \param rates  of leaves that equations/symbols.hpp does not know, by name
 /// \throws NoRate
 block::Expression dot(const block::Expression& e, const Rates& rates = {});

@@ -146,6 +146,66 @@ INSTANTIATE_TEST_SUITE_P(RatesOfSymmetricMatrices, Derived,
                                          "dot(T(J_v - J_v * sigma) * m_d * J_v * (E - sigma))",
                                          "dot(3 * A)", "dot(-A)", "dot(dot(A))"));
 
+/// A rate, and what the product rule makes of it.
+struct RateByHand {
+  const char* rate;
+  const char* by_hand;
+};
+void PrintTo(const RateByHand& rate, std::ostream* out) { *out << rate.rate; }
+
+class RateOfNumber : public testing::TestWithParam<RateByHand> {};
+
+TEST_P(RateOfNumber, IsThatOfTheProductRule) {
+  const auto& [rate, by_hand] = GetParam();
+  for (const TreeShape& shape : shapes()) {
+    UserRobot robot(shape);
+    const auto both = robot.read("(" + std::string(rate) + ") - (" + by_hand + ")");
+    const auto at = robot.inputs(both);
+    EXPECT_LT(abs(robot.expected(both, at).front()), kExact) << shape.types;
+    const auto alone = robot.read(rate);
+    EXPECT_GT(abs(robot.expected(alone, robot.inputs(alone)).front()), Real("1e-6"));
+  }
+  expect_derived(rate, shapes());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    QuadraticForms, RateOfNumber,
+    testing::Values(
+        RateByHand{"dot(1/2 * T(qd) * A * qd)", "T(qd) * A * qdd + 1/2 * T(qd) * dot(A) * qd"},
+        RateByHand{"dot(T(omega) * J_d * omega)",
+                   "2 * T(omega) * J_d * dot(omega) + T(omega) * dot(J_d) * omega"},
+        RateByHand{"dot(T(r) * J_d * r / 3)",
+                   "2/3 * T(r) * J_d * dot(r) + 1/3 * T(r) * dot(J_d) * r"},
+        RateByHand{"dot(T(r) * m_d * r)", "T(dot(r)) * m_d * r + T(r) * m_d * dot(r)"},
+        RateByHand{"dot(-T(v) * v)", "-T(dot(v)) * v - T(v) * dot(v)"},
+        RateByHand{"dot(T(qd) * (sigma * qd_d) * qd)",
+                   "2 * T(qdd) * sigma * qd_d * qd + T(qd) * sigma * dot(qd_d) * qd"},
+        RateByHand{"dot(T(J_v * qd) * m_d * under(link1) * J_v * qd)",
+                   "2 * T(J_v * qd) * under(link1) * m_d * dot(J_v * qd)"},
+        RateByHand{"dot(T(qd) * (T(J_v) * m_d * J_v + 2 * T(J_w) * J_d * J_w) * qd)",
+                   "2 * T(J_v * qd) * m_d * dot(J_v * qd) + 4 * T(omega) * J_d * dot(omega)"},
+        RateByHand{"dot(T(J_v * qd) * m_d * r)",
+                   "T(dot(J_v * qd)) * m_d * r + T(J_v * qd) * m_d * dot(r)"},
+        RateByHand{"dot(dot(T(r) * m_d * r))",
+                   "2 * T(dot(r)) * m_d * dot(r) + 2 * T(r) * m_d * dot(dot(r))"},
+        RateByHand{"dot(T(qd) * T(J_v) * m_d * J_v * qd * T(r) * r)",
+                   "2 * T(J_v * qd) * m_d * dot(J_v * qd) * T(r) * r + "
+                   "2 * T(J_v * qd) * m_d * J_v * qd * T(r) * dot(r)"}));
+
+/// The two halves of the rate of an energy are one.
+TEST(Rates, OfEnergiesCostWhatPowersDo) {
+  UserRobot robot({{-1, 0, 1, 2, 3, 4}, "RRRRRR"});
+  const auto cost = [&](const char* text) {
+    return program::cost(robot.derived(robot.read(text), formulate::Way::kInLinks)).total();
+  };
+  const int power = cost("T(qd) * (A * qdd + B)");
+  for (const char* const energy :
+       {"dot(1/2 * T(qd) * A * qd)",
+        "dot(1/2 * (T(J_v * qd) * m_d * J_v * qd + T(omega) * J_d * omega))"}) {
+    EXPECT_LE(cost(energy), power + power / 20) << energy;
+  }
+}
+
 TEST(Rates, OfTheMassMatrixTakeItsComposites) {
   const TreeShape chain = {{-1, 0, 1, 2, 3, 4, 5, 6}, "RRRRRRRR"};
   UserRobot robot(chain);
