@@ -35,6 +35,8 @@ class Columns {
   int diagonal(const block::Shape& shape, int blocks, bool transposed, int x);
   int sum(const Factors& terms, bool transposed, int x);
   int product(const Factors& factors, bool transposed, int x);
+  int times_number(const block::Expression& column, bool transposed, int x);
+  int times_column(const block::Expression& row, bool transposed, int x);
   int blown_up(const block::Expression& A, bool transposed, int x);
   /// Λ(Y) x, or its transpose.
   int skew(const block::Expression& Y, bool transposed, int x);

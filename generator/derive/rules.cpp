@@ -6,7 +6,7 @@ namespace treedyn::derive {
 
 namespace {
 
-constexpr std::array<RuleRow, 38> kRules = {{
+constexpr std::array<RuleRow, 39> kRules = {{
     {Rule::kRates, "R11",
      "dot: (X Y)' = X' Y + X Y', of a number y^T M y with M = M^T 2 y^T M y' + y^T M' y; D, σ, m "
      "are "
@@ -29,6 +29,7 @@ constexpr std::array<RuleRow, 38> kRules = {{
     {Rule::kComponents, "R4'", "Λ(Y) x = Σ (Y x_k) × e_k, component by component"},
     {Rule::kBlownUp, "R4''", "numbers A are A E_3 where they multiply vectors: (A x)_k = A x_k"},
     {Rule::kUnits, "R6'", "X is its columns X e_j (or rows), whatever is zero in them vanishes"},
+    {Rule::kRowOfUnit, "R6'''", "a row times e_j is its number j: x y^T e_j = x y_j"},
     {Rule::kMeet, "R6''", "rows come from the left, columns from the right, they meet anywhere"},
     {Rule::kSymmetric, "R6", "A e_j = A^T e_j: the rows from link j to the root are enough"},
     {Rule::kComposites, "R7",

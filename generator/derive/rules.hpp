@@ -22,6 +22,7 @@ enum class Rule {
   kComponents,
   kBlownUp,
   kUnits,
+  kRowOfUnit,
   kMeet,
   kSymmetric,
   kComposites,

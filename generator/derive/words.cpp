@@ -31,7 +31,6 @@ class Opener {
 
  private:
   [[nodiscard]] Words product(const std::vector<Expression>& factors) const;
-  [[nodiscard]] Words transposed(Words inner) const;
   [[nodiscard]] Words skew(const Expression& e) const;
 
   std::size_t most_;
@@ -57,14 +56,11 @@ Words Opener::product(const std::vector<Expression>& factors) const {
   return result;
 }
 
-Words Opener::transposed(Words inner) const {
-  for (Word& word : inner) {
-    std::ranges::reverse(word.factors);
-    for (Expression& f : word.factors) {
-      f = f.kind() == Kind::kTranspose ? f.operands().front() : block::transpose(f);
-    }
+void transpose(Word& word) {
+  std::ranges::reverse(word.factors);
+  for (Expression& f : word.factors) {
+    f = f.kind() == Kind::kTranspose ? f.operands().front() : block::transpose(f);
   }
-  return inner;
 }
 
 /// R2: Λ stands at the only vector of a word.
@@ -108,9 +104,14 @@ Words Opener::open(const Expression& e) const {
     }
     case Kind::kProduct:
       return product(e.operands());
-    case Kind::kTranspose:
-      return e.operands().front().kind() == Kind::kLeaf ? Words{{{}, {e}}}
-                                                        : transposed(open(e.operands().front()));
+    case Kind::kTranspose: {
+      if (e.operands().front().kind() == Kind::kLeaf) {
+        return {{{}, {e}}};
+      }
+      Words result = open(e.operands().front());
+      std::ranges::for_each(result, transpose);
+      return result;
+    }
     case Kind::kSkew:
     case Kind::kSkewTranspose:
       return skew(e);
@@ -159,11 +160,15 @@ bool turns(Iterator begin, Iterator end, bool transposed) {
 
 bool refers_to_places(const std::vector<Expression>& word);
 
-bool any_refers(const Expression& e, const std::vector<Expression>& before,
+/// \param transposed  e^T stands there
+bool any_refers(const Expression& e, bool transposed, const std::vector<Expression>& before,
                 const std::vector<Expression>& after) {
   constexpr std::size_t kMost = 10000;
-  const auto all = words(e, kMost);
-  return !all || std::any_of(all->begin(), all->end(), [&](const Word& inner) {
+  auto all = words(e, kMost);
+  return !all || std::any_of(all->begin(), all->end(), [&](Word& inner) {
+    if (transposed) {
+      transpose(inner);
+    }
     std::vector<Expression> word = before;
     word.insert(word.end(), inner.factors.begin(), inner.factors.end());
     word.insert(word.end(), after.begin(), after.end());
@@ -174,11 +179,19 @@ bool any_refers(const Expression& e, const std::vector<Expression>& before,
 bool refers_to_places(const std::vector<Expression>& word) {
   for (auto f = word.begin(); f != word.end(); ++f) {
     const std::string symbol = symbol_in(*f);
-    if (f->kind() == Kind::kDiagonal && any_refers(f->operands().front(), {}, {})) {
-      return true;
+    const Expression* inner = &*f;
+    bool transposed = false;
+    for (; is_wrapped(*inner); inner = &inner->operands().front()) {
+      transposed = transposed != (inner->kind() == Kind::kTranspose);
     }
-    if (is_wrapped(*f) && symbol.empty() && !is_symbol(f->operands().front())) {  // Λ(X)
-      return any_refers(f->operands().front(), {word.begin(), f}, {f + 1, word.end()});
+    if (inner->kind() == Kind::kDiagonal) {
+      if (any_refers(inner->operands().front(), false, {}, {})) {
+        return true;
+      }
+      continue;
+    }
+    if (is_wrapped(*f) && symbol.empty() && !is_symbol(*inner)) {  // Λ(X)
+      return any_refers(*inner, transposed, {word.begin(), f}, {f + 1, word.end()});
     }
     const bool ends = f + 1 != word.end() && symbol_in(*(f + 1)).starts_with("1_");
     if ((symbol == "s^d" || symbol == "l^d" || symbol == "t^d") && !ends &&
@@ -192,7 +205,7 @@ bool refers_to_places(const std::vector<Expression>& word) {
 
 }  // namespace
 
-bool refers_to_places(const Expression& e) { return any_refers(e, {}, {}); }
+bool refers_to_places(const Expression& e) { return any_refers(e, false, {}, {}); }
 
 std::string to_text(const Word& word) {
   const Expression whole = product_of(word.factors.begin(), word.factors.end());

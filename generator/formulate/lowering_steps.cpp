@@ -37,10 +37,13 @@ Block Lowering::scale(const Value& v, int e) const {
   for (std::size_t n = 0; n + 1 < v.operands.size(); ++n) {
     factor = factor * of(v.operands[n], e).number;
   }
-  const Block& x = of(v.operands.back(), e);
+  const int last = v.operands.back();
+  const Block& x = of(last, e);
   Block result = zero(v, e);
   result.tensor.frame = x.tensor.frame;
-  add(v, result, x, factor);
+  const bool by_columns = derivation_.values.of_unit(v.operands.front()) && v.set == Set::kOne;
+  const bool comes_once = by_columns && !derivation_.values.of_unit(last);
+  add(v, result, comes_once ? moved(v, x, kBase, kBase) : x, factor);
   return result;
 }
 

@@ -88,6 +88,8 @@ INSTANTIATE_TEST_SUITE_P(
         "R(link1) * T(at(link1)) * omega", "T(qd) * (A * qdd + B)", "T(W) * J_d * omega",
         "D_P * Lam(diagb(omega)) * J_d * omega", "D_P * LamT(LamT(s_d) * N * z_d * sigma) * omega",
         "T(W) * diagb(D * sigma * qd) * (LamT(c_d) * D * Lam(diagb(N * omega)) * omega)",
+        "B * T(qd)", "qd * T(B)", "B * T(B)", "A * qd * T(qd) * A", "J_v * qd * T(qd)",
+        "T(ones) * m_d * r * T(B)", "qd * T(J_v * qd) * m_d * J_v", "omega * T(f_b) * T(C)",
         "T(T(D) * omega) * J_d * T(D) * omega", "T(omega) * LamT(c_d) * T(D) * omega",
         "T(tau) * sigma * T(z_d) * Lam(s_d) * J_d * T(N) * omega", "T(W) * Lam(c_fD) * W * p",
         "Lam(diagb(v)) * D_P * W * n_b", "D_P * Lam(z_d) * W * p",
@@ -192,12 +194,23 @@ INSTANTIATE_TEST_SUITE_P(
                    "2 * T(J_v * qd) * m_d * dot(J_v * qd) * T(r) * r + "
                    "2 * T(J_v * qd) * m_d * J_v * qd * T(r) * dot(r)"}));
 
+/// Operations for a chain of six turning joints, before any search.
+int cost_of(const char* text) {
+  UserRobot robot({{-1, 0, 1, 2, 3, 4}, "RRRRRR"});
+  return program::cost(robot.derived(robot.read(text), formulate::Way::kInLinks)).total();
+}
+
+/// The columns of x y^T share x and y.
+TEST(Derived, TakesTheFactorsOfColumnsTimesRowsOnce) {
+  const int B = cost_of("B");
+  EXPECT_LE(cost_of("B * T(qd)"), B + 36);
+  EXPECT_LE(cost_of("qd * T(B)"), B + 36);
+  EXPECT_LE(cost_of("T(at(link1)) * r * T(B)"), cost_of("T(at(link1)) * r") + B + 3 * 6);
+}
+
 /// The two halves of the rate of an energy are one.
 TEST(Rates, OfEnergiesCostWhatPowersDo) {
-  UserRobot robot({{-1, 0, 1, 2, 3, 4}, "RRRRRR"});
-  const auto cost = [&](const char* text) {
-    return program::cost(robot.derived(robot.read(text), formulate::Way::kInLinks)).total();
-  };
+  const auto cost = cost_of;
   const int power = cost("T(qd) * (A * qdd + B)");
   for (const char* const energy :
        {"dot(1/2 * T(qd) * A * qd)",
