@@ -68,7 +68,7 @@ void begin_in_band(const AccuracyRequest& request, Subject& subject) {
       std::ranges::for_each(other.qd0, move);
     }
     simulation::Simulator simulator(other, *subject.dynamics, {});
-    const simulation::Move moved = simulator.settle();
+    const std::array<simulation::Move, 2> moved = simulator.settle();
     if (k == 0) {
       subject.moved = moved;
     }
@@ -357,8 +357,10 @@ Subject begun(const AccuracyRequest& request, const Warn& warn) {
     check_folder(std::filesystem::absolute(request.plan).parent_path().string());
   }
   Subject subject = subject_of(request);
-  if (const auto moved = warning_of_move(subject.scene, subject.moved); moved && !request.part) {
-    warn({{request.scene, 0, 0}, *moved});
+  for (const simulation::Move& move : subject.moved) {
+    if (const auto moved = warning_of_move(subject.scene, move); moved && !request.part) {
+      warn({{request.scene, 0, 0}, *moved});
+    }
   }
   return subject;
 }

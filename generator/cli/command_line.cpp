@@ -182,7 +182,11 @@ const Location* place_of(const std::map<std::string, Location>& places, const st
 
 /// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.
 void refuse_options_of_scene(const CLI::App& command, const Request& request) {
-  std::vector<std::string> options = {"--points", "--gravity", "--snap", "--mimic"};
+  for (const char* const option : {"--snap", "--mimic"}) {
+    refuse(command.count(option) > 0,
+           fmt::format("{}: goes with no scene, which takes its model with the default", option));
+  }
+  std::vector<std::string> options = {"--points", "--gravity"};
   if (request.model.empty()) {
     options.emplace_back("--base");
   }

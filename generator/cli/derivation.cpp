@@ -169,8 +169,8 @@ std::string recursion_text(const formulate::Derived& function,
     return "\nrecursion: none, every value is zero\n";
   }
   std::string result =
-      "\nrecursion: D and N from the root, D^T and N^T to it; operations of these "
-      "lines in link frames (those of the code: info --passes)\n" +
+      "\nrecursion: D and N from the root, D^T and N^T to it; operations of these lines, each link "
+      "in a frame of its own, before regrouping and passes (the code's: info --passes)\n" +
       lines;
   if (const int others = costs.back().total(); others > 0) {
     result += fmt::format("  {:>5}  angles and places of joints\n", others);
@@ -236,13 +236,13 @@ std::string factored_text(const Model& model, const Request& request,
 }
 
 /// What becomes of the unknowns before all else.
-std::string trunk_text(const Model& model, const Request& request) {
+std::string trunk_text(const Model& model, const Request& request, bool impact = false) {
   std::string result =
       fmt::format("\ntrunk: {}, moved in every way by joints 1 to {}\n",
                   model.tree.links[formulate::kTrunkLink].name, formulate::kTrunkLink + 1) +
       rules_text({derive::Rule::kTrunk}) + "\nfor the trunk\n";
   for (const auto& [text, cost] :
-       formulate::trunk_lines(model.tree, formulate_options(model, request))) {
+       formulate::trunk_lines(model.tree, formulate_options(model, request), impact)) {
     result += fmt::format("  {:>5}  {}  <- {}\n", cost.total(), text,
                           derive::row_of(derive::Rule::kTrunk).name);
   }
@@ -292,10 +292,11 @@ std::string solved_text(const Model& model, const Request& request, const std::s
 std::string scene_text(const Model& model, const Request& request, const std::string& name) {
   if (!equations::is_scene_function(name) ||
       equations::scene_function_info(name).equations.empty()) {
-    throw UsageError(
-        fmt::format("--derivation: {} is no block equation; expected one of the equations, a "
-                    "function of (1) to (11), or of a scene, without the name of a phase: {}",
-                    shown(name), fmt::join(scene_functions(), ", ")));
+    throw UsageError(fmt::format(
+        "--derivation: {} is no block equation; expected one of the equations, a "
+        "function that `treedyn list functions` shows and that is not put together from "
+        "others, or one of a scene, without the name of a phase: {}",
+        shown(name), fmt::join(scene_functions(), ", ")));
   }
   const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
   const formulate::FactoredFunction& function = formulate::factored(name);
@@ -308,7 +309,8 @@ std::string scene_text(const Model& model, const Request& request, const std::st
                                    errata_text(info.equations, "")) +
                        definitions(info.equations);
   if (solved && formulate::has_trunk(model.tree)) {
-    result += "\nwhere a scene acts on no link above it" + trunk_text(model, request);
+    result +=
+        "\nwhere a scene acts on no link above it" + trunk_text(model, request, name == "impact");
   }
   return result + factored_text(model, request, function, {});
 }

@@ -151,9 +151,8 @@ void set_without(Request& request, const std::string& list) {
 }
 
 void add_sharing(CLI::App& command, Request& request) {
-  command.add_flag(
-      "--share-limbs", request.share_limbs,
-      "one function for limbs of equal structure: less code, a few more operations and more stack");
+  command.add_flag("--share-limbs", request.share_limbs,
+                   "one function for limbs of equal structure: less code, a few more operations");
   command.add_flag_callback(
       "--limb-lanes",
       [&request] {

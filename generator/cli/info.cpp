@@ -93,7 +93,8 @@ std::string dissipation_table(const model::Tree& tree) {
   for (const model::Dissipation& of : tree.dissipations) {
     rows.push_back({to_string(of.where), shown(of.joint), shown(of.damping), shown(of.friction)});
   }
-  return "\n<dynamics>: in no function; scenes have effects for it\n" + table(rows);
+  return "\n<dynamics>: in no function of the model; scenes name effects of their own for it\n" +
+         table(rows);
 }
 
 std::string cost_table(const Model& model, const Request& request,

@@ -1,6 +1,7 @@
 // Motions of a scene to compare: of its generated step in any scalar type, and of `simulate`.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,7 +51,7 @@ struct Subject {
   model::Scene scene;
   std::string file;  ///< of the scene
   std::vector<Start> starts;
-  simulation::Move moved;  ///< of the scene's own initial state onto the constraints
+  std::array<simulation::Move, 2> moved{};         ///< of the scene's own initial q and qd
   std::shared_ptr<simulation::Dynamics> dynamics;  ///< of the scene
   Real interval = 0;                               ///< s between comparisons
   int times = 0;

@@ -1,6 +1,7 @@
 // `treedyn simulate`: a scene to a table, a JSON file and a page to look at.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -42,13 +43,13 @@ struct OfStep {
 struct SimulateResult {
   model::Scene scene;
   simulation::Recording recording;
-  simulation::Move moved;              ///< of the initial state onto the constraints
-  simulation::Stability stability;     ///< of the initial state
-  std::optional<double> seconds;       ///< that the run took, if it was asked for
-  std::optional<long> operations;      ///< of one evaluation of the terms, if they are counted
-  std::optional<OfStep> generated;     ///< nothing: the motion is the simulator's
-  std::vector<StatusRecord> statuses;  ///< of a generated step
-  std::vector<Warning> warnings;       ///< of how it was made
+  std::array<simulation::Move, 2> moved{};  ///< of the initial q and qd onto the constraints
+  simulation::Stability stability;          ///< of the initial state
+  std::optional<double> seconds;            ///< that the run took, if it was asked for
+  std::optional<long> operations;           ///< of one evaluation of the terms, if they are counted
+  std::optional<OfStep> generated;          ///< nothing: the motion is the simulator's
+  std::vector<StatusRecord> statuses;       ///< of a generated step
+  std::vector<Warning> warnings;            ///< of how it was made
 
   [[nodiscard]] const std::string& phase_name(int phase) const {
     return scene.phases[static_cast<std::size_t>(phase)].name;

@@ -75,15 +75,17 @@ simulation::Column column_of(const model::Scene& scene, const simulation::Move& 
 
 std::string warnings_json(const SimulateResult& result) {
   std::vector<std::string> lines;
-  if (result.moved.size > kMoved) {
-    lines.push_back(
-        emit::json_object({{"kind", "\"initial\""},
-                           {"name", emit::json_string(column_of(result.scene, result.moved).name)},
-                           {"t", json_number(static_cast<double>(result.scene.t0))},
-                           {"value", json_number(result.moved.size)},
-                           {"bound", json_number(kMoved)},
-                           {"unit", emit::json_string(column_of(result.scene, result.moved).unit)},
-                           {"text", emit::json_string(warnings_of(result).front())}}));
+  for (const simulation::Move& move : result.moved) {
+    if (const std::optional<std::string> text = warning_of_move(result.scene, move)) {
+      const simulation::Column column = column_of(result.scene, move);
+      lines.push_back(emit::json_object({{"kind", "\"initial\""},
+                                         {"name", emit::json_string(column.name)},
+                                         {"t", json_number(static_cast<double>(result.scene.t0))},
+                                         {"value", json_number(move.size)},
+                                         {"bound", json_number(kMoved)},
+                                         {"unit", emit::json_string(column.unit)},
+                                         {"text", emit::json_string(*text)}}));
+    }
   }
   for (const simulation::Notice& notice : result.recording.notices) {
     lines.push_back(notice_json(notice));
@@ -164,8 +166,10 @@ std::optional<std::string> warning_of_move(const model::Scene& scene,
 
 std::vector<std::string> warnings_of(const SimulateResult& result) {
   std::vector<std::string> lines;
-  if (std::optional<std::string> line = warning_of_move(result.scene, result.moved)) {
-    lines.push_back(*std::move(line));
+  for (const simulation::Move& move : result.moved) {
+    if (std::optional<std::string> line = warning_of_move(result.scene, move)) {
+      lines.push_back(*std::move(line));
+    }
   }
   for (const simulation::Notice& notice : result.recording.notices) {
     lines.push_back(simulation::to_string(notice));

@@ -46,7 +46,8 @@ constexpr std::array<RuleRow, 39> kRules = {{
     {Rule::kStart, "F2", "what is added to all sums along paths is where they start"},
     {Rule::kFathers, "F3", "what is made of N x alone is the father's: S(N x) = Π S(D x)"},
     {Rule::kPseudoInertia, "F4",
-     "I α + ω×(I ω) = vee(Ω E), Ω = Λ(α) + Λ(ω)², I = tr(E) - E: the same products twice"},
+     "I α + ω×(I ω) = vee(Ω E), Ω = Λ(α) + Λ(ω)², of the pseudo-inertia E, I = tr(E) - E: the same "
+     "products twice; vee(X) = (X_zy - X_yz, X_xz - X_zx, X_yx - X_xy)"},
     {Rule::kComposite, "F5",
      "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) - F, F = h s^T + s h^T + m s s^T: symmetric"},
     {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² E): squares and products of ω, each once"},

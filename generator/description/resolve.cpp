@@ -146,7 +146,8 @@ class Resolver {
   Placement joint_pose(const RawJoint& joint) {
     const std::string name = fmt::format("joint '{}'", shown(joint.name.text));
     Placement pose;
-    pose.origin = numbers_.vector(joint.pose.xyz, name + ": offset");
+    pose.origin = numbers_.vector(
+        joint.pose.xyz, name + (raw_.format == Format::kYaml ? ": offset" : ": xyz of <origin>"));
     if (joint.pose.rpy) {
       const std::string what = name + ": rpy";
       const Vector3 rpy = numbers_.vector(joint.pose.rpy, what);

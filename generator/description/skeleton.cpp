@@ -36,6 +36,9 @@ void add_name(const RawTree& raw, std::map<std::string_view, int>& names, const 
 }
 
 void check_names(const RawTree& raw, Skeleton& skeleton) {
+  if (raw.name.text.empty()) {
+    fail(raw, raw.name.where, "the model's own name is empty; expected a word, with --name too");
+  }
   check_name(raw, raw.name, "model");
   for (std::size_t k = 0; k < raw.links.size(); ++k) {
     const Text& name = raw.links[k].name;
@@ -71,7 +74,10 @@ constexpr std::array<KindRow, 4> kKinds = {{
 
 JointKind kind_of(const RawTree& raw, const RawJoint& joint) {
   const bool yaml = raw.format == Format::kYaml;
-  const bool floats = joint.type.text == "floating" || joint.type.text == "free";
+  const std::string& type = joint.type.text;
+  const bool floats = type == "floating" || type == "free";
+  const bool in_several_ways =
+      floats || type == "planar" || type == "spherical" || type == "ball" || type == "universal";
   std::vector<std::string_view> types;
   for (const KindRow& row : kKinds) {
     if (row.in_yaml || !yaml) {
@@ -83,10 +89,11 @@ JointKind kind_of(const RawTree& raw, const RawJoint& joint) {
   }
   fail(raw, joint.type.where,
        fmt::format(
-           "joint '{}': type '{}' is not supported{}; expected {}{}", shown(joint.name.text),
-           shown(joint.type.text), did_you_mean(joint.type.text, types),
+           "joint '{}': type '{}' is not supported{}; expected {}{}{}", shown(joint.name.text),
+           shown(type), in_several_ways ? "" : did_you_mean(type, types),
            yaml ? "revolute, prismatic or fixed" : "revolute, continuous, prismatic or fixed",
-           floats ? ", or --base axes and no joint at the root for a robot that floats" : ""));
+           in_several_ways ? ", several in a row with links without inertia between them" : "",
+           floats ? "; of a robot that floats --base axes and no joint at its root" : ""));
 }
 
 std::vector<std::string_view> link_names(const RawTree& raw) {

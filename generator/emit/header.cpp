@@ -279,14 +279,10 @@ std::string command_comment(const std::vector<std::string>& command) {
 
 int father_coordinate(const model::Tree& tree, int k) {
   int link = tree.moved_by(k).father;
-  while (link != model::kGround) {
-    const auto found = std::ranges::find(tree.coordinates, link);
-    if (found != tree.coordinates.end()) {
-      return static_cast<int>(found - tree.coordinates.begin());
-    }
+  while (link != model::kGround && tree.drives[static_cast<std::size_t>(link)].coordinate == k) {
     link = tree.links[static_cast<std::size_t>(link)].father;
   }
-  return -1;
+  return link == model::kGround ? -1 : tree.drives[static_cast<std::size_t>(link)].coordinate;
 }
 
 std::string header_text(const Unit& unit) {

@@ -97,8 +97,9 @@ std::string function_json(const program::Signature& signature, const Body& body,
 
 /// What rounding costs with the passes that were used, rounded up, and which were not.
 std::string rounding_json(const program::Rounding& rounding) {
-  const auto number = [](double factor) {
-    return fmt::format("{:.2g}", factor);
+  const auto number = [](double factor) {  // with a point: a constant to `check`
+    const std::string text = fmt::format("{:.2g}", factor);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
   };
   if (rounding.amplification == 0) {
     return "";

@@ -87,7 +87,7 @@ program::Function SceneFormulator::jacobian() const {
 
 program::Function SceneFormulator::bias() const {
   program::Signature signature =
-      signature_of("reaction_bias_acceleration", {q(), qd()}, {{"gamma", rows(), kAcceleration}});
+      signature_of("reaction_bias_acceleration", {q(), qd()}, {{"gamma", rows(), "m/s^2|rad/s^2"}});
   signature.rows = row_names(scene_, all_);
   return plain(signature, build_reaction_bias);
 }

@@ -138,7 +138,8 @@ std::vector<Expr> Trunk::joint_accelerations(std::vector<Expr> x) const {
 }
 
 std::vector<std::pair<const char*, program::Cost>> trunk_lines(const model::Tree& tree,
-                                                               const Options& options) {
+                                                               const Options& options,
+                                                               bool impact) {
   using Make = std::vector<Expr> (*)(const Trunk&, const std::vector<Expr>&);
   const auto cost = [&](Make make) {
     Recipe recipe = recipe_of("forward_dynamics");
@@ -151,6 +152,14 @@ std::vector<std::pair<const char*, program::Cost>> trunk_lines(const model::Tree
     };
     return program::cost(build(tree, recipe, options, plain_variant(tree)));
   };
+  if (impact) {
+    return {
+        {"v = B q̇ before the impact, of the trunk along its axes",
+         cost([](const Trunk& trunk, const std::vector<Expr>& x) { return trunk.velocities(x); })},
+        {"Δq̇ = B^-1 y, y = B Δq̇", cost([](const Trunk& trunk, const std::vector<Expr>& x) {
+           return trunk.joint_velocities(x);
+         })}};
+  }
   const Make turning = [](const Trunk& trunk, const std::vector<Expr>&) {
     const Vec3& omega = trunk.seen().kinematics.ground_turning();
     return std::vector<Expr>(omega.begin(), omega.end());
@@ -158,7 +167,7 @@ std::vector<std::pair<const char*, program::Cost>> trunk_lines(const model::Tree
   return {{"ω = B q̇ of the trunk, in its frame", cost(turning)},
           {"f = B^-T τ, force and moment on it",
            cost([](const Trunk& trunk, const std::vector<Expr>& x) { return trunk.forces(x); })},
-          {"q̈ = B^-1 (y + g - γ)", cost([](const Trunk& trunk, const std::vector<Expr>& x) {
+          {"q̈ = B^-1 (y - γ)", cost([](const Trunk& trunk, const std::vector<Expr>& x) {
              return trunk.joint_accelerations(x);
            })}};
 }

@@ -57,7 +57,8 @@ class Trunk {
 
 /// What forward dynamics adds for the trunk, each with the operations of all that it needs, before
 /// any search.
+/// \param impact  of changes of velocities, without forces
 std::vector<std::pair<const char*, program::Cost>> trunk_lines(const model::Tree& tree,
-                                                               const Options& options);
+                                                               const Options& options, bool impact);
 
 }  // namespace treedyn::formulate

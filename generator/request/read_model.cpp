@@ -354,6 +354,36 @@ std::vector<Warning> impacts_without_rest(const model::Scene& scene, const Locat
   return result;
 }
 
+/// Functions of the tree beside those of a scene know nothing of its effects.
+std::vector<Warning> effects_left_out(const Model& model, const Location& where) {
+  const auto has = [&](const std::string& name, std::initializer_list<std::string_view> parts) {
+    return std::ranges::any_of(parts,
+                               [&](std::string_view part) { return name.starts_with(part); });
+  };
+  std::vector<std::string> inertia;
+  std::vector<std::string> velocities;
+  for (const std::string& name : model.functions) {
+    const bool both = has(name, {"inverse_dynamics", "forward_dynamics", "dynamics_terms"});
+    if (both || has(name, {"mass_matrix", "kinetic_energy"})) {
+      inertia.push_back(name);
+    }
+    if (both || name == "bias_force") {
+      velocities.push_back(name);
+    }
+  }
+  std::vector<Warning> result;
+  const auto add = [&](bool acts, const std::vector<std::string>& names, const char* what) {
+    if (acts && !names.empty()) {
+      result.push_back({where, fmt::format("functions of the tree alone, {}: {}", what,
+                                           fmt::join(names, ", "))});
+    }
+  };
+  add(!model.scene->armatures.empty(), inertia, "without the scene's armature");
+  add(!model.scene->velocity_products, velocities,
+      "with the velocity products that the scene leaves out");
+  return result;
+}
+
 }  // namespace
 
 std::vector<Warning> warnings_of(const Model& model, const Request& request) {
@@ -379,6 +409,9 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
     const Location where{request.scene.value_or(request.model), 0, 0};
     for (Warning& impact : impacts_without_rest(*model.scene, where)) {
       warnings.push_back(std::move(impact));
+    }
+    for (Warning& left_out : effects_left_out(model, where)) {
+      warnings.push_back(std::move(left_out));
     }
     const bool has_errors = std::ranges::any_of(
         model.functions, [](const std::string& name) { return equations::find(name) != nullptr; });

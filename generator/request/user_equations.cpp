@@ -15,6 +15,7 @@
 #include "emit/run_time.hpp"
 #include "emit/self_test.hpp"
 #include "emit/taken_names.hpp"
+#include "equations/joint_sums.hpp"
 #include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 
@@ -118,11 +119,15 @@ void check_points(const equations::UserEquation& equation, bool no_points) {
 
 /// Joints that mimic others are no coordinates.
 void check_mimic(const equations::UserEquation& equation) {
-  if (equations::counts_joints(equation)) {
-    throw InputError(equation.where,
-                     fmt::format("equation '{}' has rows, columns or inputs of joints and some "
-                                 "joints mimic others; expected --mimic independent",
-                                 equation.name));
+  const bool counts = equations::counts_joints(equation);
+  if (counts || equations::picks_joints(equation.expression)) {
+    throw InputError(
+        equation.where,
+        fmt::format("equation '{}' {} and some joints mimic others; expected --mimic independent",
+                    equation.name,
+                    counts
+                        ? "has rows, columns or inputs (but q, qd, qdd) of joints"
+                        : "takes forces on single joints, or sums of them, or columns of joints"));
   }
 }
 

@@ -125,7 +125,7 @@ void Simulator::refuse_undefined_rows() {
   }
 }
 
-Move Simulator::settle() {
+std::array<Move, 2> Simulator::settle() {
   refuse_undefined_rows();
   Vector position = q();
   Vector velocity = qd();
@@ -165,9 +165,12 @@ Move Simulator::settle() {
       note_below(watch, t_, y_);
     }
   }
-  Eigen::Index place = -1;
-  const double size = (y_ - before).cwiseAbs().maxCoeff(&place);
-  return {size, static_cast<int>(place)};
+  const auto largest = [&](int from) {
+    Eigen::Index place = 0;
+    const double size = (y_ - before).segment(from, system_.dof()).cwiseAbs().maxCoeff(&place);
+    return Move{size, from + static_cast<int>(place)};
+  };
+  return {largest(0), largest(system_.dof())};
 }
 
 /// A touch-down whose point is below the plane without having been above since it is looked at; it

@@ -1,6 +1,7 @@
 // Steps a scene in time: integration, drift, events, impacts and phases.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -67,10 +68,10 @@ struct Cost {
 /// What advances the time t at all, s.
 double least_step(double t);
 
-/// The largest change of a state, and of which of q and behind it qd; -1: of none.
+/// The largest change of q or of qd, and of which of q and behind it qd.
 struct Move {
   double size = 0;
-  int place = -1;
+  int place = 0;
 };
 
 /// Steps are those of the dynamics: neither the end of the motion nor rows of a table change them,
@@ -82,7 +83,7 @@ class Simulator {
 
   /// Moves the initial state onto the constraints that act.
   /// \throws std::runtime_error if that fails
-  Move settle();
+  std::array<Move, 2> settle();
 
   using Observe = std::function<bool()>;
   /// Integrates and lands exactly on `end`; calls `observe` after every step and event, and stops

@@ -357,6 +357,21 @@ TEST_F(Cli, AnotherNominalValueIsNoOtherStructure) {
   }
 }
 
+/// A figure of rounding that happens to be whole is a constant, too.
+TEST_F(Cli, FiguresOfTheManifestAreConstants) {
+  const auto run = [&](const char* command) {
+    return treedyn({command, kModel, "-o", out(), "--effort", "0"});
+  };
+  ASSERT_EQ(run("generate").status, 0);
+  std::string manifest = read_file(file("two_link.json"));
+  const std::size_t figure = manifest.find("\"rounding\": 1.0");
+  ASSERT_NE(figure, std::string::npos);
+  manifest.replace(figure, 15, "\"rounding\": 0.97");
+  write_file(file("two_link.json"), manifest);
+  EXPECT_THAT(run("check").out,
+              HasSubstr(file("two_link.json").string() + ": constants only, 1 line\n"));
+}
+
 TEST_F(Cli, AnotherNameOfTheModelsFileIsNoOtherStructure) {
   std::string model = read_file(kModel);
   const std::size_t at = model.find("mass: ");

@@ -438,6 +438,42 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(of_scene("pendulum"), testing::Not(HasSubstr("impact: ")));
 }
 
+/// A finger on a link that follows: its father is the joint that is followed.
+TEST_F(Cli, EquationsPickNoJointWhereSomeMimicOthers) {
+  const auto link = [](const char* name) {
+    return fmt::format(
+        "<link name=\"{}\"><inertial><origin xyz=\"0.1 0 0.02\"/><mass value=\"1\"/><inertia "
+        "ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>",
+        name);
+  };
+  const auto joint = [](const char* name, const char* father, const char* son, const char* mimic) {
+    return fmt::format(
+        "<joint name=\"{}\" type=\"revolute\"><parent link=\"{}\"/><child link=\"{}\"/><origin "
+        "xyz=\"0.2 0 0\"/><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" "
+        "velocity=\"1\"/>{}</joint>",
+        name, father, son, mimic);
+  };
+  write_file(scratch("hand.urdf"),
+             "<robot name=\"hand\"><link name=\"world\"/>" + link("a") + link("b") + link("c") +
+                 joint("ja", "world", "a", "") +
+                 joint("jb", "world", "b", "<mimic joint=\"ja\" multiplier=\"2\"/>") +
+                 joint("jc", "b", "c", "") + "</robot>");
+  const auto generate = [&](const std::string& value, const std::vector<std::string>& more) {
+    write_file(scratch("e.yaml"), "equations: [{name: wanted, value: \"" + value + "\"}]\n");
+    std::vector<std::string> words = {
+        "generate", scratch("hand.urdf"), "--equations", scratch("e.yaml"), "--effort", "0", "-o",
+        out()};
+    words.insert(words.end(), more.begin(), more.end());
+    return treedyn(words);
+  };
+  EXPECT_THAT(generate("T(at(ja)) * G", {}).err,
+              HasSubstr("equation 'wanted' takes forces on single joints"));
+  EXPECT_THAT(generate("T(qd) * tau", {}).err, HasSubstr("'wanted' has rows, columns or inputs"));
+  EXPECT_EQ(generate("T(at(ja)) * G", {"--mimic", "independent"}).status, 0);
+  EXPECT_EQ(generate("T(qd) * (A * qdd + B)", {}).status, 0);
+  EXPECT_THAT(read_file(file("hand.json")), testing::ContainsRegex("\"jc\"[^\n]*\"father\": 0,"));
+}
+
 /// Each joint has its column of the momentum about the base origin: one vector on the way there,
 /// which takes no turn a joint where values meet in the base.
 TEST_F(Cli, EquationsOfChainsGrowWithTheirLinks) {

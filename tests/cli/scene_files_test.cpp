@@ -172,8 +172,27 @@ TEST_F(Cli, RefusesBesideASceneWhatTheSceneSays) {
   for (const auto& [option, value] : refused) {
     std::vector<std::string> arguments = generate;
     arguments.insert(arguments.end(), {option, value});
-    expect_usage_error(treedyn(arguments), option + ": is a matter of the scene");
+    const bool by_default = option == "--snap" || option == "--mimic";
+    expect_usage_error(treedyn(arguments), option + (by_default ? ": goes with no scene"
+                                                                : ": is a matter of the scene"));
   }
+}
+
+TEST_F(Cli, WarnsOfFunctionsThatKnowNothingOfEffects) {
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+             "/models/two_link.yaml\nduration: 1\neffects:\n  armature: [{joint: "
+             "elbow, inertia: 0.1}]\nuse: {velocity_products: off}\n");
+  const auto warnings = [&](const char* functions) {
+    return treedyn({"generate", "--scene", scratch("s.yaml"), "--functions", functions, "--effort",
+                    "0", "-o", out()})
+        .err;
+  };
+  const std::string all = warnings("constrained_dynamics,mass_matrix,bias_force,inverse_dynamics");
+  EXPECT_THAT(all, HasSubstr("without the scene's armature: mass_matrix, inverse_dynamics\n"));
+  EXPECT_THAT(all, HasSubstr("that the scene leaves out: bias_force, inverse_dynamics\n"));
+  EXPECT_THAT(warnings("constrained_dynamics,gravity_force"),
+              testing::Not(HasSubstr("tree alone")));
 }
 
 TEST_F(Cli, WarnsOfReboundsThatNeverRest) {

@@ -97,6 +97,15 @@ TEST_F(Simulate, WarnsWhenItMovesTheInitialState) {
   EXPECT_THAT(outcome.err,
               testing::ContainsRegex("warning: the initial state was moved by 0\\.[0-9]+ rad "
                                      "\\(q\\[[a-z]+\\]\\) onto the constraints"));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("rad/s")));
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+             "/models/two_link.yaml\nduration: 0.1\neffects:\n"
+             "  point_constraint:\n    - {point: tip, curve: [1.2, 0, 0.8], along: "
+             "[x, z]}\ninitial: {q: {elbow: 1.5}, qd: {elbow: 4}}\n");
+  EXPECT_THAT(treedyn({scratch("s.yaml").string(), "-o", out()}).err,
+              testing::ContainsRegex("moved by 0\\.[0-9]+ rad \\(q\\[[a-z]+\\]\\) [^\n]+\n[^\n]+"
+                                     "moved by 4 rad/s \\(qd\\[elbow\\]\\) onto the constraints"));
 }
 
 /// A damped spring by steps beyond what rk4 stands: its power grows as fast as its energy, and the

@@ -257,10 +257,18 @@ model::Tree with_short_numbers(model::Tree tree) {
   return tree;
 }
 
-class Field : public testing::TestWithParam<const char*> {
+struct Sample {
+  const char* model;
+  description::Base base = description::Base::kFixed;
+};
+void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.model; }
+
+class Field : public testing::TestWithParam<Sample> {
  protected:
   Field()
-      : tree_(description::read_model(std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam(), {})),
+      : tree_(description::read_model(
+            std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam().model + ".yaml",
+            {.base = GetParam().base})),
         n_(tree_.links.size()),
         options_(support::exact_options(tree_, 20)) {}
 
@@ -322,12 +330,13 @@ TEST_P(Field, FactorsMultiplyToTheMassMatrix) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Field,
-                         testing::Values("two_link.yaml", "polar.yaml", "compass_walker.yaml",
-                                         "puma560.yaml", "panda.yaml", "quadruped.yaml",
-                                         "biped.yaml"),
+                         testing::Values(Sample{"two_link"}, Sample{"polar"},
+                                         Sample{"compass_walker"}, Sample{"puma560"},
+                                         Sample{"panda"}, Sample{"quadruped"}, Sample{"biped"},
+                                         Sample{"biped", description::Base::kAxes}),
                          [](const auto& test) {
-                           const std::string name = test.param;
-                           return name.substr(0, name.find('.'));
+                           const bool axes = test.param.base == description::Base::kAxes;
+                           return std::string(test.param.model) + (axes ? "_axes" : "");
                          });
 
 }  // namespace

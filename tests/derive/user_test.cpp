@@ -6,6 +6,7 @@
 
 #include "block/print.hpp"
 #include "derive/user_robot.hpp"
+#include "equations/joint_sums.hpp"
 
 namespace treedyn {
 namespace {
@@ -436,6 +437,19 @@ TEST(Derived, CountsNoJointsWhereJointsMimicOthers) {
   UserRobot robot(shapes()[0]);
   robot.tree.drives[2] = {1, Real(2), Real("0.1")};
   robot.tree.coordinates = {0, 1};
+  for (const char* const text :
+       {"T(at(joint2)) * G", "T(at(joint1)) * A * at(joint1)", "T(qd) * A * at(joint2)",
+        "T(at(joint2)) * sigma * (A * qdd + B)", "T(at(joint1)) * C * f_b",
+        "T(at(link1)) * J_v * at(joint1)", "T(at(joint1)) * (E - sigma) * (G + B)"}) {
+    EXPECT_TRUE(equations::picks_joints(robot.read(text).expression)) << text;
+  }
+  for (const char* const text :
+       {"T(qd) * A * qd", "T(qd) * (A * qdd + B)", "T(qd) * G", "T(at(link1)) * J_v * qd",
+        "T(ones) * m_d * dot(J_v) * qd", "T(ones) * m_d * r", "T(qd) * dot(A) * qd",
+        "T(at(joint2)) * qd", "T(qd) * C * f_b", "T(C) * qd", "gamma_f", "T(at(link1)) * omega",
+        "1/2 * T(qd) * (T(J_v) * m_d * under(link1) * J_v) * qd", "-T(g) * m_d * r"}) {
+    EXPECT_FALSE(equations::picks_joints(robot.read(text).expression)) << text;
+  }
   EXPECT_TRUE(equations::counts_joints(robot.read("A * qd")));
   EXPECT_TRUE(equations::counts_joints(robot.read("T(qd) * tau")));
   auto equation = robot.read("T(ones) * m_d * J_v * qd");
