@@ -26,6 +26,13 @@ bool is_leaf(const Expression& e, std::string_view name) {
   return e.kind() == Kind::kLeaf && e.node().name == name;
 }
 
+bool is_diagonal_leaf(const Expression& e) {
+  const Structure structure = e.node().structure;
+  return e.kind() == Kind::kLeaf &&
+         (structure == Structure::kIdentity || structure == Structure::kRevolute ||
+          structure == Structure::kDiagonal);
+}
+
 bool holds(const Expression& e, std::string_view name) {
   return is_leaf(e, name) ||
          std::ranges::any_of(e.operands(), [&](const Expression& x) { return holds(x, name); });

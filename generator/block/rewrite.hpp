@@ -21,6 +21,8 @@ bool constant_expression(const Expression& e);
 
 /// The leaf of that name.
 bool is_leaf(const Expression& e, std::string_view name);
+/// A leaf whose blocks stand on the diagonal in every tree: E, σ, m^d ..
+bool is_diagonal_leaf(const Expression& e);
 /// True if the leaf stands anywhere in e.
 bool holds(const Expression& e, std::string_view name);
 /// What a name stands for.

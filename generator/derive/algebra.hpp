@@ -54,6 +54,7 @@ class Algebra {
   int step(int X, int y);
 
   [[nodiscard]] const Value& value(int id) const { return values_[id]; }
+  [[nodiscard]] bool of_unit(int id) const { return values_.of_unit(id); }
   int note(Rule rule, int id) { return values_.note(rule, id); }
   /// `to`, which takes the place of `from`, with the rules that made that.
   int in_place_of(int from, int to);

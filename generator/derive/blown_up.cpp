@@ -1,6 +1,8 @@
 // The size rule: numbers made of vectors, like A, are A E_3 where they multiply vectors.
+#include <algorithm>
+#include <cstddef>
+
 #include "block/rewrite.hpp"
-#include "common/error.hpp"
 #include "derive/columns.hpp"
 
 namespace treedyn::derive {
@@ -15,22 +17,29 @@ bool makes_vectors(const Expression& e, bool transposed) {
   return transposed ? rows.size == 1 && cols.size == 3 : rows.size == 3 && cols.size == 1;
 }
 
-/// The fewest factors, the last or, transposed, the first, whose product fits; all if none does.
+/// How many factors from the last on or, transposed, from the first, have a product that fits, the
+/// fewest; 0 if there are none.
 template <class Fits>
-std::vector<Expression> fewest(Factor first, Factor last, bool transposed, Fits fits) {
-  for (auto taken = 1; taken < last - first; ++taken) {
-    const Factor begin = transposed ? first : last - taken;
-    const Factor end = transposed ? first + taken : last;
-    if (fits(product_of(begin, end))) {
-      return {begin, end};
+std::ptrdiff_t fewest(Factor first, Factor last, bool transposed, Fits fits) {
+  for (std::ptrdiff_t taken = 1; taken <= last - first; ++taken) {
+    if (fits(transposed ? product_of(first, first + taken) : product_of(last - taken, last))) {
+      return taken;
     }
   }
-  return {first, last};
+  return 0;
 }
 
 }  // namespace
 
-/// A column times one number, which waits until the column is there.
+/// True if a number x of one side waits until the column is there: where it is one of numbers or
+/// a single vector, or serves all columns that are asked for.
+bool Columns::waits(const block::Side& from, const block::Side& to, int x) const {
+  const Value& v = algebra_.value(x);
+  const bool number = !wide_ && v.type == Type::kScalar && v.op != Op::kOnes && v.op != Op::kLeaf;
+  return number && from == block::Side{} &&
+         (to.size == 1 || to.set == Set::kOne || algebra_.of_unit(x));
+}
+
 int Columns::times_number(const Expression& column, bool transposed, int x) {
   const int y = apply(column, transposed, algebra_.ones(Set::kOne));
   return algebra_.scale(spread(transposed ? column.shape().cols : column.shape().rows, x), y);
@@ -43,30 +52,28 @@ int Columns::product(const Factors& factors, bool transposed, int x) {
   Factor first = factors.begin();
   Factor last = factors.end();
   while (first != last) {
-    const Value v = algebra_.value(x);
-    const Expression rest = product_of(first, last);
-    const bool symbol = v.op == Op::kOnes || v.op == Op::kLeaf;
-    if (!wide_ && v.type == Type::kScalar && !symbol &&
-        (transposed ? rest.shape().rows : rest.shape().cols) == block::Side{}) {
-      return times_number(rest, transposed, x);
-    }
-    const bool asked_for = !wide_ && v.type == Type::kScalar && v.op == Op::kUnit;
-    const Factors row = asked_for ? fewest(first, last, transposed, is_row) : Factors();
     const Expression& f = transposed ? *first : *(last - 1);
-    std::ptrdiff_t taken = 1;
-    if (!wide_ && v.type == Type::kVector && makes_vectors(f, transposed)) {
-      const Factors numbers = fewest(first, last, transposed, block::has_numbers);
-      taken = std::ssize(numbers);
-      x = blown_up(product_of(numbers.begin(), numbers.end()), transposed, x);
-    } else if (asked_for && is_row(product_of(row.begin(), row.end()))) {
-      const Expression y = product_of(row.begin(), row.end());
-      taken = std::ssize(row);
-      x = algebra_.note(Rule::kRowOfUnit, times_column(y, transposed, x));
-    } else {
-      x = apply(f, transposed, x);
+    if (waits(transposed ? f.shape().rows : f.shape().cols,
+              transposed ? (last - 1)->shape().cols : first->shape().rows, x)) {
+      return times_number(product_of(first, last), transposed, x);
     }
-    first += transposed ? taken : 0;
-    last -= transposed ? 0 : taken;
+    const Value v = algebra_.value(x);
+    const bool blows_up = !wide_ && v.type == Type::kVector && makes_vectors(f, transposed);
+    const bool asked_for = !wide_ && (v.op == Op::kAssemble || v.op == Op::kUnit) &&
+                           (v.set == Set::kOne) == (v.type == Type::kVector);
+    const std::ptrdiff_t taken = blows_up    ? fewest(first, last, transposed, block::has_numbers)
+                                 : asked_for ? fewest(first, last, transposed, is_row)
+                                             : 0;
+    if (taken == 0) {
+      x = apply(f, transposed, x);
+    } else {
+      const Expression y =
+          transposed ? product_of(first, first + taken) : product_of(last - taken, last);
+      x = blows_up ? blown_up(y, transposed, x)
+                   : algebra_.note(Rule::kRowOfUnit, times_column(y, transposed, x));
+    }
+    first += transposed ? std::max<std::ptrdiff_t>(taken, 1) : 0;
+    last -= transposed ? 0 : std::max<std::ptrdiff_t>(taken, 1);
   }
   return x;
 }
@@ -74,6 +81,9 @@ int Columns::product(const Factors& factors, bool transposed, int x) {
 /// A row (or, transposed, a column) of numbers, times a column.
 int Columns::times_column(const Expression& row, bool transposed, int x) {
   const int numbers = apply(row, !transposed, algebra_.ones(Set::kOne));
+  if ((transposed ? row.shape().rows : row.shape().cols).set == Set::kOne) {
+    return algebra_.dot(numbers, x);
+  }
   return algebra_.sum_along(Op::kCollect, Set::kOne, algebra_.scale(numbers, x));
 }
 

@@ -85,11 +85,9 @@ bool is_sum_of_words(const Expression& P) {
 }  // namespace
 
 bool is_diagonal(const Expression& e) {
-  const Structure structure = e.node().structure;
   switch (e.kind()) {
     case Kind::kLeaf:
-      return structure == Structure::kIdentity || structure == Structure::kRevolute ||
-             structure == Structure::kDiagonal;
+      return block::is_diagonal_leaf(e);
     case Kind::kDiagonal:
       return true;
     default:

@@ -35,6 +35,7 @@ class Columns {
   int diagonal(const block::Shape& shape, int blocks, bool transposed, int x);
   int sum(const Factors& terms, bool transposed, int x);
   int product(const Factors& factors, bool transposed, int x);
+  [[nodiscard]] bool waits(const block::Side& from, const block::Side& to, int x) const;
   int times_number(const block::Expression& column, bool transposed, int x);
   int times_column(const block::Expression& row, bool transposed, int x);
   int blown_up(const block::Expression& A, bool transposed, int x);

@@ -131,7 +131,7 @@ std::optional<int> Factoring::number(const Expression& e) {
                  : std::optional(made(Op::kLeaf, {}, e.node().name, rows));
     }
     case Kind::kNamed:
-      return given(e.node().name, {{kPlus, e}});
+      return holds(e, unknown_) ? std::nullopt : std::optional(given(e.node().name, {{kPlus, e}}));
     case Kind::kTranspose: {
       const std::optional<int> inner = number(operands.front());
       return inner ? std::optional(made(Op::kTransposed, {*inner}, "", rows)) : std::nullopt;
@@ -263,7 +263,7 @@ bool Factoring::constrain(const Expression& motion, const Expression& rows,
   return true;
 }
 
-/// Sums of X S and S^T x.
+/// Sums of products with S.
 bool Factoring::along(const Expression& e) {
   const std::optional<int> x = number(block::unnamed(e));
   if (x) {

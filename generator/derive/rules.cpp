@@ -9,8 +9,7 @@ namespace {
 constexpr std::array<RuleRow, 39> kRules = {{
     {Rule::kRates, "R11",
      "dot: (X Y)' = X' Y + X Y', of a number y^T M y with M = M^T 2 y^T M y' + y^T M' y; D, σ, m "
-     "are "
-     "constant, vectors of links turn, s has the slide"},
+     "are constant, vectors of links turn, s has the slide"},
     {Rule::kValueRates, "R11'",
      "dot of what is derived, in frames of links: y = D^T a + N^T b: y' = D^T a' + N^T (b' + w×y), "
      "w = σ q̇ z"},

@@ -39,17 +39,18 @@ class Opener {
 Words Opener::product(const std::vector<Expression>& factors) const {
   Words result = {{}};
   for (const Expression& f : factors) {
+    const Words tails = open(f);
+    if (result.size() * tails.size() > most_) {
+      throw TooMany{};
+    }
     Words longer;
-    for (const Word& tail : open(f)) {
+    for (const Word& tail : tails) {
       for (const Word& head : result) {
         Word word = head;
         word.factor = multiply(head.factor, tail.factor);
         word.factors.insert(word.factors.end(), tail.factors.begin(), tail.factors.end());
         longer.push_back(std::move(word));
       }
-    }
-    if (longer.size() > most_) {
-      throw TooMany{};
     }
     result = std::move(longer);
   }
@@ -98,6 +99,9 @@ Words Opener::open(const Expression& e) const {
       Words result;
       for (const Expression& term : e.operands()) {
         Words inner = open(term);
+        if (result.size() + inner.size() > most_) {
+          throw TooMany{};
+        }
         std::move(inner.begin(), inner.end(), std::back_inserter(result));
       }
       return result;

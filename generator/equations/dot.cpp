@@ -1,5 +1,7 @@
 #include "equations/dot.hpp"
 
+#include <algorithm>
+
 #include "block/rewrite.hpp"
 #include "equations/quadratic.hpp"
 #include "equations/symbols.hpp"
@@ -80,7 +82,8 @@ Rate of_product(const std::vector<Expression>& x, const Rates& rates) {
   return result;
 }
 
-/// 2 y^T M y' + y^T M' y; of J' = Λ(ω) J - J Λ(ω) that is -2 y^T J Λ(ω) y.
+/// Half the rate of y^T M y: y^T M y' + ½ y^T M' y; of J' = Λ(ω) J - J Λ(ω) ½ y^T J' y is
+/// -y^T J Λ(ω) y.
 Rate of_form(const QuadraticForm& form, const Rates& rates) {
   const Expression left = transpose(form.y);
   const auto times_middle = [&](const Expression& x, const std::vector<Expression>& middle) {
@@ -99,11 +102,28 @@ Rate of_form(const QuadraticForm& form, const Rates& rates) {
     } else if (const Rate inner = rate(form.middle[k], rates)) {
       std::vector<Expression> middle = form.middle;
       middle[k] = *inner;
-      result = sum(result, scaled(form.factor, times_middle(form.y, middle)));
+      result = sum(result, block::Ratio{1, 2} * times_middle(form.y, middle));
     }
   }
-  const block::Ratio twice = block::multiply({2, 1}, form.factor);
-  return moving ? sum(scaled(twice, times_middle(*moving, form.middle)), result) : result;
+  return moving ? sum(times_middle(*moving, form.middle), result) : result;
+}
+
+/// What has one factor stays together: rules see it as if there were none.
+Rate of_forms(const std::vector<QuadraticForm>& forms, const Rates& rates) {
+  Rate result;
+  std::vector<block::Ratio> done;
+  for (const QuadraticForm& first : forms) {
+    if (std::ranges::find(done, first.factor) != done.end()) {
+      continue;
+    }
+    done.push_back(first.factor);
+    Rate all;
+    for (const QuadraticForm& form : forms) {
+      all = form.factor == first.factor ? sum(all, of_form(form, rates)) : all;
+    }
+    result = all ? sum(result, scaled(block::multiply({2, 1}, first.factor), *all)) : result;
+  }
+  return result;
 }
 
 Rate rate(const Expression& e, const Rates& rates) {
@@ -112,11 +132,7 @@ Rate rate(const Expression& e, const Rates& rates) {
     return of_leaf(e, rates);
   }
   if (const auto forms = quadratic_forms(e)) {
-    Rate result;
-    for (const QuadraticForm& form : *forms) {
-      result = sum(result, of_form(form, rates));
-    }
-    return result;
+    return of_forms(*forms, rates);
   }
   if (e.kind() == Kind::kProduct) {
     return of_product(x, rates);

@@ -1,9 +1,10 @@
 #include "equations/joint_sums.hpp"
 
-#include <algorithm>
 #include <map>
 #include <string>
+#include <vector>
 
+#include "block/rewrite.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::equations {
@@ -49,14 +50,14 @@ Sides SideReader::of_leaf(const Expression& e) {
   if (name == tau.node().name) {
     return {Count::kJoints, Count::kLinks};
   }
-  if (name == qd.node().name || name == qdd.node().name || name == qd_d.node().name) {
+  if (name == qd_d.node().name) {
+    return {Count::kMotion, Count::kMotion};
+  }
+  if (name == qd.node().name || name == qdd.node().name) {
     return {Count::kMotion, Count::kLinks};
   }
-  const block::Structure structure = e.node().structure;
-  const bool diagonal = structure == block::Structure::kIdentity ||
-                        structure == block::Structure::kRevolute ||
-                        structure == block::Structure::kDiagonal;
-  return diagonal && e.shape() == block::Shape{equations::kLinks, equations::kLinks}
+  return block::is_diagonal_leaf(e) &&
+                 e.shape() == block::Shape{equations::kLinks, equations::kLinks}
              ? Sides{Count::kEither, Count::kEither}
              : Sides{};
 }
@@ -108,9 +109,14 @@ Sides SideReader::read(const Expression& e) {
     case Kind::kNamed:
     case Kind::kScaled:
       return of(x.front());
+    case Kind::kDiagonal: {
+      const Count counted = of(x.front()).rows;
+      return counted == Count::kJoints  ? Sides{Count::kJoints, Count::kJoints}
+             : counted == Count::kLinks ? Sides{}
+                                        : Sides{Count::kEither, Count::kEither};
+    }
     case Kind::kSkew:
     case Kind::kSkewTranspose:
-    case Kind::kDiagonal:
       of(x.front());
       return {};
   }

@@ -1,6 +1,8 @@
 #include "equations/quadratic.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include "block/rewrite.hpp"
 #include "equations/equations.hpp"
@@ -13,9 +15,19 @@ using block::Kind;
 using block::Ratio;
 using Factors = std::vector<Expression>;
 
-/// The factors of e or of its transpose, products opened under names and transposes.
+/// A diagonal of numbers of links, or of their tensors.
+bool is_symmetric_leaf(const Expression& e) {
+  return block::is_diagonal_leaf(e) &&
+         (e.shape() == block::Shape{kLinks, kLinks} || block::equal(e, J_d));
+}
+
+bool is_one_number(const Expression& e) { return e.shape() == block::Shape{kOne, kOne}; }
+
+/// The factors of e or of its transpose, products opened under names (but of numbers) and
+/// transposes.
 void open(const Expression& e, bool transposed, Factors& factors, Ratio& factor) {
-  const Expression& x = block::unnamed(e);
+  const bool whole = e.kind() == Kind::kNamed && is_one_number(e);
+  const Expression& x = whole ? e : block::unnamed(e);
   switch (x.kind()) {
     case Kind::kScaled:
       factor = block::multiply(factor, x.node().factor);
@@ -33,25 +45,19 @@ void open(const Expression& e, bool transposed, Factors& factors, Ratio& factor)
       return;
     }
     default:
-      factors.push_back(transposed ? block::transpose(e) : e);
+      factors.push_back(
+          transposed && !is_symmetric_leaf(e) && !is_one_number(e) ? block::transpose(e) : e);
   }
-}
-
-bool is_diagonal_leaf(const Expression& e) {
-  const block::Structure structure = e.node().structure;
-  return e.kind() == Kind::kLeaf && e.shape().rows == e.shape().cols &&
-         (structure == block::Structure::kIdentity || structure == block::Structure::kRevolute ||
-          structure == block::Structure::kDiagonal);
 }
 
 bool is_mirrored(const Expression& a, const Expression& b) {
   return block::equal(a, block::transpose(b)) || block::equal(b, block::transpose(a)) ||
-         (is_diagonal_leaf(a) && block::equal(a, b));
+         ((is_symmetric_leaf(a) || is_one_number(a)) && block::equal(a, b));
 }
 
 /// Diagonals of numbers, and of blocks at most one: they commute.
 bool is_symmetric(const Factors& middle) {
-  return std::ranges::all_of(middle, is_diagonal_leaf) &&
+  return std::ranges::all_of(middle, is_symmetric_leaf) &&
          std::ranges::count_if(middle,
                                [](const Expression& f) { return !block::has_numbers(f); }) <= 1;
 }
@@ -75,7 +81,7 @@ class Forms {
 bool Forms::add(const Expression& e, const Ratio& factor) {
   Factors f;
   Ratio all = factor;
-  open(e, false, f, all);
+  open(block::unnamed(e), false, f, all);
   const std::size_t n = f.size();
   std::size_t k = 0;
   while (2 * (k + 1) <= n && is_mirrored(f[k], f[n - 1 - k])) {
@@ -93,8 +99,8 @@ bool Forms::add(const Expression& e, const Ratio& factor) {
   }
   static const Expression A = mass_matrix();
   static const Expression kByVelocities = by_velocities();
-  const Expression& sum =
-      block::unnamed(block::equal(middle.front(), A) ? kByVelocities : middle.front());
+  const bool is_A = block::equal(middle.front(), A) || block::equal(middle.front(), transpose(A));
+  const Expression& sum = block::unnamed(is_A ? kByVelocities : middle.front());
   return sum.kind() == Kind::kSum && std::ranges::all_of(sum.operands(), [&](const Expression& t) {
            const Expression inner =
                k == 0 ? t
@@ -106,9 +112,9 @@ bool Forms::add(const Expression& e, const Ratio& factor) {
 }  // namespace
 
 std::optional<std::vector<QuadraticForm>> quadratic_forms(const Expression& e) {
-  const bool number = e.shape() == block::Shape{kOne, kOne};
   Forms forms;
-  return number && forms.add(e, {}) ? std::optional(std::move(forms).take()) : std::nullopt;
+  return is_one_number(e) && forms.add(e, {}) ? std::optional(std::move(forms).take())
+                                              : std::nullopt;
 }
 
 }  // namespace treedyn::equations

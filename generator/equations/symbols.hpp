@@ -50,10 +50,9 @@ inline const Expression u = leaf("u", block::Structure::kFull, {kPoints3, kOne})
 inline const Expression lambda = leaf("λ", block::Structure::kFull, {kRows, kOne});
 inline const Expression a_des = leaf("a_des", block::Structure::kFull, {kRows, kOne});
 
-/// Joints without a drive: their columns of E, N x p, and multipliers of them.
+/// Joints without a drive: their columns of E, N x p.
 inline constexpr block::Side kPassive{block::Set::kPassive, 1};  // p
 inline const Expression E_u = leaf("E_u", block::Structure::kFull, {kLinks, kPassive});
-inline const Expression mu = leaf("μ", block::Structure::kFull, {kPassive, kOne});
 /// Velocities after an impact less those before; 1 + the coefficient of restitution, 0 of rows that
 /// are led through it.
 inline const Expression qd_change = leaf("Δq̇", block::Structure::kFull, {kLinks, kOne});

@@ -41,9 +41,14 @@ Block Lowering::scale(const Value& v, int e) const {
   const Block& x = of(last, e);
   Block result = zero(v, e);
   result.tensor.frame = x.tensor.frame;
-  const bool by_columns = derivation_.values.of_unit(v.operands.front()) && v.set == Set::kOne;
-  const bool comes_once = by_columns && !derivation_.values.of_unit(last);
-  add(v, result, comes_once ? moved(v, x, kBase, kBase) : x, factor);
+  // a column of one number for all, and of the columns that are asked for, is at home in the base
+  const Value& first = value(v.operands.front());
+  const bool of_columns = derivation_.values.of_unit(v.operands.front()) &&
+                          (v.set == block::Set::kOne || first.op == Op::kSpread);
+  const bool of_parts = v.set == block::Set::kOne && x.vector.size() > 1 && first.op != Op::kLeaf &&
+                        !factor.is_constant();
+  const bool comes_once = (of_columns || of_parts) && !derivation_.values.of_unit(last);
+  add(v, result, comes_once ? moved(v, x, home(v.set, e), kBase) : x, factor);
   return result;
 }
 

@@ -15,8 +15,7 @@ SparseRows columns_of_unit(Graph& graph, const std::vector<int>& joints, int dof
   return result;
 }
 
-}  // namespace
-
+/// J^T, a row for every joint.
 SparseRows transposed(const std::vector<Row>& rows, std::size_t joints) {
   SparseRows result(joints);
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -26,6 +25,8 @@ SparseRows transposed(const std::vector<Row>& rows, std::size_t joints) {
   }
   return result;
 }
+
+}  // namespace
 
 SceneSolution::SceneSolution(const char* function, Graph& graph, int dof,
                              const std::vector<Row>& rows, const Numbers::Leaf& leaf,

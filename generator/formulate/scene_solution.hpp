@@ -9,9 +9,6 @@
 
 namespace treedyn::formulate {
 
-/// J^T, a row for every joint.
-SparseRows transposed(const std::vector<Row>& rows, std::size_t joints);
-
 class SceneSolution {
  public:
   /// \param function  one of a scene, of several equations

@@ -354,6 +354,12 @@ std::vector<Warning> impacts_without_rest(const model::Scene& scene, const Locat
   return result;
 }
 
+/// True if an equation of EQUATIONS.md stands in e by its name.
+bool uses(const block::Expression& e, std::string_view name) {
+  return (e.kind() == block::Kind::kNamed && e.node().name == name) ||
+         std::ranges::any_of(e.operands(), [&](const auto& x) { return uses(x, name); });
+}
+
 /// Functions of the tree beside those of a scene know nothing of its effects.
 std::vector<Warning> effects_left_out(const Model& model, const Location& where) {
   const auto has = [&](const std::string& name, std::initializer_list<std::string_view> parts) {
@@ -362,6 +368,14 @@ std::vector<Warning> effects_left_out(const Model& model, const Location& where)
   };
   std::vector<std::string> inertia;
   std::vector<std::string> velocities;
+  for (const auto& function : model.equations) {
+    if (uses(function->equation.expression, "A")) {
+      inertia.push_back(function->equation.name);
+    }
+    if (uses(function->equation.expression, "B")) {
+      velocities.push_back(function->equation.name);
+    }
+  }
   for (const std::string& name : model.functions) {
     const bool both = has(name, {"inverse_dynamics", "forward_dynamics", "dynamics_terms"});
     if (both || has(name, {"mass_matrix", "kinetic_energy"})) {

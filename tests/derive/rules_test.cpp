@@ -987,6 +987,16 @@ TEST(R12, EliminatesAccelerationsFromRows) {
   EXPECT_EQ(f.derivation.values[f.derivation.roots[2]].op, Op::kFromRoot);
 }
 
+TEST(R0, GivesUpOnTooManyWordsBeforeTheyAreMade) {
+  Expression sum = qd;
+  for (int k = 0; k < 4000; ++k) {
+    sum = sum + qd;
+  }
+  EXPECT_FALSE(words(transpose(sum) * sum, 10000));  // 16 million
+  EXPECT_EQ(words(transpose(qd) * sum, 10000).value().size(), 4001U);
+  EXPECT_FALSE(words(sum, 4000));
+}
+
 TEST(R12, TakesTheLeastReactionsOfAMotion) {
   const auto& [passive, drives] = constrained_inverse_dynamics();
   const Factored f = least(passive, drives, "λ", "μ").value();

@@ -180,6 +180,9 @@ INSTANTIATE_TEST_SUITE_P(
         RateByHand{"dot(T(r) * J_d * r / 3)",
                    "2/3 * T(r) * J_d * dot(r) + 1/3 * T(r) * dot(J_d) * r"},
         RateByHand{"dot(T(r) * m_d * r)", "T(dot(r)) * m_d * r + T(r) * m_d * dot(r)"},
+        RateByHand{"dot(T(omega) * T(J_d) * omega / 2)",
+                   "T(omega) * J_d * dot(omega) + 1/2 * T(omega) * dot(J_d) * omega"},
+        RateByHand{"dot(T(A * qd) * qd)", "2 * T(qd) * A * qdd + T(qd) * dot(A) * qd"},
         RateByHand{"dot(-T(v) * v)", "-T(dot(v)) * v - T(v) * dot(v)"},
         RateByHand{"dot(T(qd) * (sigma * qd_d) * qd)",
                    "2 * T(qdd) * sigma * qd_d * qd + T(qd) * sigma * dot(qd_d) * qd"},
@@ -214,10 +217,35 @@ TEST(Rates, OfEnergiesCostWhatPowersDo) {
   const auto cost = cost_of;
   const int power = cost("T(qd) * (A * qdd + B)");
   for (const char* const energy :
-       {"dot(1/2 * T(qd) * A * qd)",
+       {"dot(1/2 * T(qd) * A * qd)", "dot(T(qd) * A * qd)", "dot(1/3 * T(A * qd) * qd)",
         "dot(1/2 * (T(J_v * qd) * m_d * J_v * qd + T(omega) * J_d * omega))"}) {
     EXPECT_LE(cost(energy), power + power / 20) << energy;
   }
+}
+
+model::EquationText text_of(const char* name, const char* value,
+                            const std::vector<model::InputText>& inputs = {}) {
+  model::EquationText text;
+  text.name = name;
+  text.value = value;
+  text.inputs = inputs;
+  return text;
+}
+
+/// Numbers with names are factors, not what stands behind them.
+TEST(Rates, OfPowersOfNumbersShareThem) {
+  UserRobot robot(turning_shapes()[0]);
+  std::vector<model::EquationText> texts = {text_of("e0", "T(qd) * qd")};
+  for (int k = 1; k < 10; ++k) {
+    const std::string before = "e" + std::to_string(k - 1);
+    texts.push_back(text_of(("e" + std::to_string(k)).c_str(), (before + " * " + before).c_str()));
+  }
+  texts.push_back(text_of("rate", "dot(e9)"));
+  const auto read = equations::read_equations(texts, robot.tree, robot.points);
+  const auto cost = [&](const equations::UserEquation& equation) {
+    return program::cost(robot.derived(equation, formulate::Way::kInLinks)).total();
+  };
+  EXPECT_LE(cost(read.back()), cost(read[9]) + 20);
 }
 
 TEST(Rates, OfTheMassMatrixTakeItsComposites) {
@@ -327,15 +355,6 @@ TEST(Engine, DividesByTheMassesOfItsTree) {
   EXPECT_LT(abs(x.front() * sum - 2), kExact);
 }
 
-model::EquationText text_of(const char* name, const char* value,
-                            const std::vector<model::InputText>& inputs = {}) {
-  model::EquationText text;
-  text.name = name;
-  text.value = value;
-  text.inputs = inputs;
-  return text;
-}
-
 /// Names within an equation mean what they mean there, whoever uses it.
 TEST(Equations, KeepTheMeaningOfTheirNamesWhereOthersUseThem) {
   const UserRobot robot(shapes()[0]);
@@ -440,15 +459,23 @@ TEST(Derived, CountsNoJointsWhereJointsMimicOthers) {
   for (const char* const text :
        {"T(at(joint2)) * G", "T(at(joint1)) * A * at(joint1)", "T(qd) * A * at(joint2)",
         "T(at(joint2)) * sigma * (A * qdd + B)", "T(at(joint1)) * C * f_b",
-        "T(at(link1)) * J_v * at(joint1)", "T(at(joint1)) * (E - sigma) * (G + B)"}) {
+        "T(at(link1)) * J_v * at(joint1)", "T(at(joint1)) * (E - sigma) * (G + B)",
+        "T(at(joint1)) * diagb(G) * at(joint1)"}) {
     EXPECT_TRUE(equations::picks_joints(robot.read(text).expression)) << text;
+    EXPECT_TRUE(equations::picks_joints(transpose(robot.read(text).expression))) << text;
   }
   for (const char* const text :
        {"T(qd) * A * qd", "T(qd) * (A * qdd + B)", "T(qd) * G", "T(at(link1)) * J_v * qd",
         "T(ones) * m_d * dot(J_v) * qd", "T(ones) * m_d * r", "T(qd) * dot(A) * qd",
         "T(at(joint2)) * qd", "T(qd) * C * f_b", "T(C) * qd", "gamma_f", "T(at(link1)) * omega",
-        "1/2 * T(qd) * (T(J_v) * m_d * under(link1) * J_v) * qd", "-T(g) * m_d * r"}) {
+        "1/2 * T(qd) * (T(J_v) * m_d * under(link1) * J_v) * qd", "-T(g) * m_d * r",
+        "T(at(joint1)) * sigma * qd_d * G"}) {
     EXPECT_FALSE(equations::picks_joints(robot.read(text).expression)) << text;
+    EXPECT_FALSE(equations::picks_joints(transpose(robot.read(text).expression))) << text;
+  }
+  const UserRobot turning(turning_shapes()[0]);
+  for (const char* const text : {"T(qd) * qd_d * A * qd", "T(qd) * diagb(G) * qd"}) {
+    EXPECT_FALSE(equations::picks_joints(turning.read(text).expression)) << text;
   }
   EXPECT_TRUE(equations::counts_joints(robot.read("A * qd")));
   EXPECT_TRUE(equations::counts_joints(robot.read("T(qd) * tau")));
