@@ -17,12 +17,12 @@ bool makes_vectors(const Expression& e, bool transposed) {
   return transposed ? rows.size == 1 && cols.size == 3 : rows.size == 3 && cols.size == 1;
 }
 
-/// How many factors from the last on or, transposed, from the first, have a product that fits, the
+/// How many factors from the last on or, transposed, from the first, fit together, the
 /// fewest; 0 if there are none.
 template <class Fits>
 std::ptrdiff_t fewest(Factor first, Factor last, bool transposed, Fits fits) {
   for (std::ptrdiff_t taken = 1; taken <= last - first; ++taken) {
-    if (fits(transposed ? product_of(first, first + taken) : product_of(last - taken, last))) {
+    if (transposed ? fits(first, first + taken) : fits(last - taken, last)) {
       return taken;
     }
   }
@@ -45,9 +45,35 @@ int Columns::times_number(const Expression& column, bool transposed, int x) {
   return algebra_.scale(spread(transposed ? column.shape().cols : column.shape().rows, x), y);
 }
 
+/// How many factors are the row (or, transposed, the column) whose number x asks for: of links, or
+/// of the vectors e_k; 0 if there is none.
+std::ptrdiff_t Columns::asked_row(Factor first, Factor last, bool transposed, int x) const {
+  const auto row = [transposed](Factor begin, Factor end) -> std::optional<block::Shape> {
+    Factors seen(begin, end);
+    if (transposed) {
+      std::ranges::reverse(seen);
+      std::ranges::transform(seen, seen.begin(), block::transpose);
+    }
+    return block::blows_up(seen, 1) ? std::nullopt
+                                    : std::optional(product_of(seen.begin(), seen.end()).shape());
+  };
+  const Value& v = algebra_.value(x);
+  if (!wide_ && v.op == Op::kAssemble && v.set == Set::kOne) {
+    const block::Shape shape = *row(transposed ? first : last - 1, transposed ? first + 1 : last);
+    return shape == block::Shape{{}, {Set::kOne, 3}} ? 1 : 0;
+  }
+  if (wide_ || v.op != Op::kUnit || v.type != Type::kScalar) {
+    return 0;
+  }
+  return fewest(first, last, transposed, [&](Factor begin, Factor end) {
+    const std::optional<block::Shape> shape = row(begin, end);
+    return shape && shape->rows == block::Side{};
+  });
+}
+
 int Columns::product(const Factors& factors, bool transposed, int x) {
-  const auto is_row = [transposed](const Expression& e) {
-    return (transposed ? e.shape().cols : e.shape().rows) == block::Side{};
+  const auto has_numbers = [](Factor begin, Factor end) {
+    return block::has_numbers(product_of(begin, end));
   };
   Factor first = factors.begin();
   Factor last = factors.end();
@@ -57,13 +83,10 @@ int Columns::product(const Factors& factors, bool transposed, int x) {
               transposed ? (last - 1)->shape().cols : first->shape().rows, x)) {
       return times_number(product_of(first, last), transposed, x);
     }
-    const Value v = algebra_.value(x);
-    const bool blows_up = !wide_ && v.type == Type::kVector && makes_vectors(f, transposed);
-    const bool asked_for = !wide_ && (v.op == Op::kAssemble || v.op == Op::kUnit) &&
-                           (v.set == Set::kOne) == (v.type == Type::kVector);
-    const std::ptrdiff_t taken = blows_up    ? fewest(first, last, transposed, block::has_numbers)
-                                 : asked_for ? fewest(first, last, transposed, is_row)
-                                             : 0;
+    const bool blows_up =
+        !wide_ && algebra_.value(x).type == Type::kVector && makes_vectors(f, transposed);
+    const std::ptrdiff_t taken = blows_up ? fewest(first, last, transposed, has_numbers)
+                                          : asked_row(first, last, transposed, x);
     if (taken == 0) {
       x = apply(f, transposed, x);
     } else {

@@ -1,6 +1,7 @@
 // Block expressions times columns, without a matrix: R0, R1, R2, R4.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,9 @@ class Columns {
   int diagonal(const block::Shape& shape, int blocks, bool transposed, int x);
   int sum(const Factors& terms, bool transposed, int x);
   int product(const Factors& factors, bool transposed, int x);
+  [[nodiscard]] std::ptrdiff_t asked_row(Factors::const_iterator first,
+                                         Factors::const_iterator last, bool transposed,
+                                         int x) const;
   [[nodiscard]] bool waits(const block::Side& from, const block::Side& to, int x) const;
   int times_number(const block::Expression& column, bool transposed, int x);
   int times_column(const block::Expression& row, bool transposed, int x);
