@@ -30,6 +30,7 @@ class Opener {
   [[nodiscard]] Words open(const Expression& e) const;
 
  private:
+  [[nodiscard]] Words sum(const std::vector<Expression>& terms) const;
   [[nodiscard]] Words product(const std::vector<Expression>& factors) const;
   [[nodiscard]] Words skew(const Expression& e) const;
 
@@ -64,6 +65,18 @@ void transpose(Word& word) {
   }
 }
 
+Words Opener::sum(const std::vector<Expression>& terms) const {
+  Words result;
+  for (const Expression& term : terms) {
+    Words inner = open(term);
+    if (result.size() + inner.size() > most_) {
+      throw TooMany{};
+    }
+    std::move(inner.begin(), inner.end(), std::back_inserter(result));
+  }
+  return result;
+}
+
 /// R2: Λ stands at the only vector of a word.
 Words Opener::skew(const Expression& e) const {
   Words result = open(e.operands().front());
@@ -96,15 +109,7 @@ Words Opener::open(const Expression& e) const {
       if (is_symbol(e)) {
         return {{{}, {e}}};
       }
-      Words result;
-      for (const Expression& term : e.operands()) {
-        Words inner = open(term);
-        if (result.size() + inner.size() > most_) {
-          throw TooMany{};
-        }
-        std::move(inner.begin(), inner.end(), std::back_inserter(result));
-      }
-      return result;
+      return sum(e.operands());
     }
     case Kind::kProduct:
       return product(e.operands());
