@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "block/block.hpp"
 #include "common/decimal.hpp"
 #include "common/index.hpp"
 #include "description/scene_reader.hpp"
