@@ -2,6 +2,7 @@
 
 #include "common/index.hpp"
 #include "common/transformed.hpp"
+#include "formulate/constrained.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/scene_solution.hpp"
@@ -15,7 +16,7 @@ namespace {
 std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
   const model::Scene& scene = *task.options.scene;
   Graph& graph = task.kinematics.graph();
-  const InverseArrays arrays = inverse_arrays(scene);
+  const InverseArrays arrays = inverse_arrays(scene, task.options.active);
   std::vector<Expr> h = build_loaded(task, given("constrained_inverse_dynamics", "h"),
                                      forces.loads(), task.kinematics.variant().way);
   for (int i = 0; i < task.tree.dof(); ++i) {
@@ -41,9 +42,16 @@ std::vector<Row> active_rows(const Task& task) {
 
 }  // namespace
 
-InverseArrays inverse_arrays(const model::Scene& scene) {
+std::vector<int> joints_without_drive(const model::Scene& scene, const std::vector<int>& active) {
+  return rows_of(scene, active) > 0 ? passive_joints(scene) : std::vector<int>();
+}
+
+InverseArrays inverse_arrays(const model::Scene& scene, const std::vector<int>& active) {
   InverseArrays arrays;
-  int next = arrays.scene.mu + 1;
+  int next = arrays.qdd + 1;
+  if (!joints_without_drive(scene, active).empty()) {
+    arrays.scene.mu = next++;
+  }
   if (!scene.contacts.empty()) {
     arrays.force = next++;
   }
@@ -55,9 +63,10 @@ InverseArrays inverse_arrays(const model::Scene& scene) {
 
 std::vector<Expr> build_constrained_inverse(const Task& task) {
   Graph& graph = task.kinematics.graph();
-  const std::vector<int> passive = passive_joints(*task.options.scene);
-  const std::vector<Row> rows = active_rows(task);
-  const InverseArrays arrays = inverse_arrays(*task.options.scene);
+  const model::Scene& scene = *task.options.scene;
+  const std::vector<int> passive = joints_without_drive(scene, task.options.active);
+  const std::vector<Row> rows = passive.empty() ? std::vector<Row>() : active_rows(task);
+  const InverseArrays arrays = inverse_arrays(scene, task.options.active);
   const SceneForces forces(task, arrays.scene);
   const std::vector<Expr> h = needed_forces(task, forces);
   std::vector<Expr> mu;
@@ -72,7 +81,7 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
   const std::vector<Expr> tau = solution.x(1);
   result.insert(result.end(), tau.begin(), tau.end());
   result.insert(result.end(), lambda.begin(), lambda.end());
-  const std::vector<Expr> depths = contact_depths(*task.options.scene, task, forces);
+  const std::vector<Expr> depths = contact_depths(scene, task, forces);
   result.insert(result.end(), depths.begin(), depths.end());
   return result;
 }

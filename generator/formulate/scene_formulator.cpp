@@ -210,43 +210,62 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   return staged;
 }
 
+/// Reactions that stand for drives, and the equations that they are found by.
+void SceneFormulator::add_least_reactions(const std::vector<int>& active,
+                                          program::Staged& staged) const {
+  program::Signature& inner = staged.function.signature;
+  staged.signature.outputs.push_back({"lambda", rows_of(scene_, active), "N|N m"});
+  inner.outputs = staged.signature.outputs;
+  add_rows(static_cast<int>(passive_joints(scene_).size()), inner);
+  staged.gates.push_back(program::Gate::kSolve);
+  staged.levels.push_back(static_cast<int>(staged.gates.size()));
+  staged.signature.rows = row_names(scene_, active);
+  staged.constraints = active;
+}
+
 program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const {
   Options options = options_;
   options.active = state.active;
   options.phase_forces = state.forces;
   Inputs where = places();
-  const InverseArrays arrays = inverse_arrays(scene_);
+  const InverseArrays arrays = inverse_arrays(scene_, state.active);
   where.qdd = arrays.qdd;
   where.tau = -1;
   const Recipe recipe{where,
                       {.regrouping = true, .moment_form = true, .fixed_length = true},
                       build_constrained_inverse};
-  const int r = rows_of(scene_, options.active);
-  const int p = static_cast<int>(passive_joints(scene_).size());
   program::Staged staged;
   staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   const program::Array qdd = {"qdd", dof_, kAcceleration};
   const program::Array tau = {"tau", dof_, kForceUnit};
-  const program::Array lambda = {"lambda", r, "N|N m"};
   staged.signature =
       signature_of("constrained_inverse_dynamics", "constrained_inverse_dynamics" + state.ending,
-                   {q(), qd(), qdd}, {tau, lambda});
-  staged.function.signature = staged.signature;
-  add_rows(p, staged.function.signature);
-  add_depths(staged.function.signature);
-  staged.levels = {0, 0, 0, 1};
-  if (arrays.force >= 0) {
+                   {q(), qd(), qdd}, {tau});
+  program::Signature& inner = staged.function.signature;
+  inner = staged.signature;
+  staged.levels = {0, 0, 0};
+  if (!scene_.contacts.empty()) {
     add_contacts(staged);
-    staged.function.signature.inputs.push_back({program::kForceArray, dof_, kForceUnit});
-    staged.levels = {0, 0, 0, 2, 1};
   }
+  if (arrays.scene.mu >= 0) {
+    add_least_reactions(options.active, staged);
+  } else {
+    staged.signature.equation = "(8)";
+    staged.signature.brief = "Joint forces that make a motion.";
+  }
+  if (!scene_.contacts.empty()) {
+    inner.inputs.push_back({program::kForceArray, dof_, kForceUnit});
+    staged.levels.push_back(1);
+  }
+  add_depths(inner);
   if (arrays.scene.t >= 0) {
     add_input({"t", 1, "s"}, staged);
   }
-  staged.gates.push_back(program::Gate::kSolve);
-  staged.solves = {solve_of(staged.function, p, options.active, passive_joints(scene_))};
-  staged.signature.rows = row_names(scene_, options.active);
-  staged.constraints = options.active;
+  const std::vector<int> passive = joints_without_drive(scene_, options.active);
+  if (!passive.empty()) {
+    staged.solves = {
+        solve_of(staged.function, static_cast<int>(passive.size()), options.active, passive)};
+  }
   add_forces(state, staged);
   return staged;
 }

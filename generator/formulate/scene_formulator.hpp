@@ -44,6 +44,7 @@ class SceneFormulator {
                                            const std::vector<int>& joints = {}) const;
   void add_contacts(program::Staged& staged) const;
   void add_depths(program::Signature& inner) const;
+  void add_least_reactions(const std::vector<int>& active, program::Staged& staged) const;
   void add_power(std::size_t contact, std::size_t gate, program::Staged& staged) const;
   [[nodiscard]] program::Array q() const;
   [[nodiscard]] program::Array qd() const;

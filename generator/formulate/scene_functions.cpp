@@ -8,6 +8,7 @@
 #include "common/parallel.hpp"
 #include "common/transformed.hpp"
 #include "formulate/constrained.hpp"
+#include "formulate/constrained_inverse.hpp"
 #include "formulate/scene_formulator.hpp"
 #include "formulate/scene_names.hpp"
 #include "formulate/scene_phases.hpp"
@@ -17,11 +18,6 @@
 namespace treedyn::formulate {
 
 namespace {
-
-/// Drives are sought where reactions could stand for them.
-bool has_inverse_dynamics(const model::Scene& scene, const PhaseState& state) {
-  return rows_of(scene, state.active) > 0 && !passive_joints(scene).empty();
-}
 
 /// The functions of a scene that are wanted, formulated at the same time.
 class SceneTasks {
@@ -91,8 +87,9 @@ void SceneTasks::add_phase(const PhaseState& state) {
         add(staged_, [this, &state] { return formulator_.constrained_dynamics(state); }));
   }
   const bool declared = state.active == scene().phases[to_index(state.phase)].active;
-  if (declared && has_inverse_dynamics(scene(), state) &&
-      is_wanted("constrained_inverse_dynamics")) {
+  const bool inverse = wanted_.empty() ? !joints_without_drive(scene(), state.active).empty()
+                                       : is_wanted("constrained_inverse_dynamics");
+  if (declared && inverse) {
     add(staged_, [this, &state] { return formulator_.inverse_dynamics(state); });
   }
 }

@@ -453,7 +453,7 @@ bool check_inverse(const model::Scene& scene, const program::Staged& staged, Sta
   Residual motion = motion_of(equations, rows, state.at("qdd"), lambda);
   add_forces(equations, tau, force, motion);
   require_small(staged.signature.name, "equation of motion", motion.left, motion.sizes);
-  if (staged.solves.front().regular()) {
+  if (!staged.solves.empty() && staged.solves.front().regular()) {
     Values left;
     for (const int joint : model::passive_joints(scene)) {
       left.push_back(tau[to_index(joint)]);

@@ -65,18 +65,23 @@ class SceneCode {
   std::unique_ptr<CompiledModel> code_;
 };
 
+/// The text of a scene of the two-link arm.
+/// \param effects  lines below `effects:`, two spaces in front
+/// \param more     further top-level lines
+inline std::string arm_scene(const std::string& effects, const std::string& more = {}) {
+  return fmt::format(
+      "scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
+      "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
+      "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
+      TREEDYN_SOURCE_DIR, more, effects);
+}
+
 /// A scene of the two-link arm.
 class ArmScene : public SceneCode {
  public:
-  /// \param effects  lines below `effects:`, two spaces in front
-  /// \param more     further top-level lines
   explicit ArmScene(const std::string& effects, const std::string& more = {},
                     Variant variant = Variant::kPlain)
-      : SceneCode(fmt::format("scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
-                              "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
-                              "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
-                              TREEDYN_SOURCE_DIR, more, effects),
-                  variant) {}
+      : SceneCode(arm_scene(effects, more), variant) {}
 };
 
 /// The arm's hand held in the vertical plane; on the ground.

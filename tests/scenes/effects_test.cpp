@@ -404,6 +404,51 @@ TEST(InverseDynamics, UndoesConstrainedDynamicsOnTheGround) {
   }
 }
 
+/// A scene of the arm with its inverse dynamics, though no reaction stands for a drive.
+SceneCode asked_for_inverse(const std::string& effects) {
+  return SceneCode(arm_scene(effects), Variant::kPlain,
+                   {"--functions", "constrained_inverse_dynamics,constrained_dynamics"});
+}
+
+TEST(InverseDynamics, WithoutRowsHasWhatTheSceneAdds) {
+  const SceneCode loaded = asked_for_inverse(
+      "  armature:\n    - {joint: elbow, inertia: 0.4}\n"
+      "  viscous_friction:\n    - {joint: shoulder, coefficient: 3}\n"
+      "  joint_spring:\n    - {joint: elbow, stiffness: 50, rest: 0.1}\n"
+      "  drive:\n    - {joint: shoulder, torque: 2*t}\n");
+  const SceneCode bare = asked_for_inverse("");
+  const Vector qdd = {0.3, -0.2};
+  const double t = 0.7;
+  const Vector tau = loaded.code().call("constrained_inverse_dynamics", {kq, kqd, qdd, {t}});
+  const Vector of_links = bare.code().call("constrained_inverse_dynamics", {kq, kqd, qdd});
+  ASSERT_EQ(tau.size(), 2U);
+  EXPECT_NEAR(tau[0] - of_links.at(0), 3 * kqd[0] - 2 * t, 1e-11);
+  EXPECT_NEAR(tau[1] - of_links.at(1), 0.4 * qdd[1] + 50 * (kq[1] - 0.1), 1e-11);
+  const Vector back = loaded.code().call("constrained_dynamics", {kq, kqd, tau, {t}});
+  EXPECT_NEAR(back.at(0), qdd[0], 1e-11);
+  EXPECT_NEAR(back.at(1), qdd[1], 1e-11);
+}
+
+TEST(InverseDynamics, WithoutRowsCarriesTheContact) {
+  const SceneCode scene = asked_for_inverse(kGround);
+  for (const double shoulder : {0.4, -0.1}) {  // above the ground and pressed into it
+    const Vector q = {shoulder, -0.3};
+    const Vector tau = scene.code().call("constrained_inverse_dynamics", {q, kqd, {0.3, -0.2}});
+    const Vector qdd = scene.code().call("constrained_dynamics", {q, kqd, tau});
+    EXPECT_NEAR(qdd.at(0), 0.3, 1e-9);
+    EXPECT_NEAR(qdd.at(1), -0.2, 1e-9);
+  }
+}
+
+TEST(InverseDynamics, OfRowsBesideDrivesOnAllJointsNeedsNoReaction) {
+  const SceneCode held = asked_for_inverse(kHeld);
+  const Json manifest = held.manifest("constrained_inverse_dynamics");
+  ASSERT_EQ(manifest.at("outputs").size(), 1U);
+  EXPECT_EQ(
+      held.code().call("constrained_inverse_dynamics", {kq, kqd, {0.3, -0.2}}),
+      asked_for_inverse("").code().call("constrained_inverse_dynamics", {kq, kqd, {0.3, -0.2}}));
+}
+
 /// Operations of constrained_dynamics of a robot on `axes` with two feet held.
 long cost_of_two_feet(const std::string& robot, const std::string& left, const std::string& right,
                       const std::string& kinds) {
