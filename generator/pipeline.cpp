@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "stages/in_scalar.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace,
                                  const Warn& warn) {
   program::Programs programs = formulate_model(model, request, trace);
-  const std::vector<Warning> warnings = warnings_of(programs, request);
+  const std::vector<Warning> warnings = warnings_of(programs, model, request);
   separate_parameters(model, request, programs);
   require_use_of_parameters(model, request, programs);
   check_at_states(model, request, programs);

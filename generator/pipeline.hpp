@@ -4,10 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "stages/checked_at_states.hpp"
-#include "stages/formulation.hpp"
-#include "stages/run_time_parameters.hpp"
-#include "stages/writing.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 

@@ -126,11 +126,18 @@ Implementation interpreted(const model::Tree& tree, const Vector& gravity) {
           }};
 }
 
+/// The block equations with 50 digits: beside singular positions solving with A in double would
+/// lose what is compared.
 Implementation generic(const model::Tree& tree, const Vector& gravity) {
   const auto engine =
-      std::make_shared<engine::Engine<double>>(tree, tree.points, to_vector3(gravity));
+      std::make_shared<engine::Engine<Real>>(tree, tree.points, to_vector3(gravity));
   return {"engine", joint_names(tree), [engine](const std::string& function, const Inputs& inputs) {
-            return engine->evaluate(function, inputs);
+            std::vector<std::vector<Real>> exact;
+            for (const Vector& input : inputs) {
+              exact.emplace_back(input.begin(), input.end());
+            }
+            return transformed(engine->evaluate(function, exact),
+                               [](const Real& x) { return x.convert_to<double>(); });
           }};
 }
 

@@ -3,7 +3,6 @@
 // The case files, the order of their joints and the tolerances: README.md of the data folder.
 
 #include <algorithm>
-#include <iostream>
 #include <thread>
 
 #include <fmt/format.h>

@@ -125,8 +125,10 @@ std::vector<std::string> methods_of(const Study& study) {
 std::string reference_text(const Study& study) {
   const Reference& reference = study.reference;
   std::string text = fmt::format(
-      "reference: {}, which differ by {:.1e}: errors above {:.1e} are known to a hundredth\n",
-      reference.methods, reference.agreement, 100 * reference.uncertainty());
+      "reference: {}, which differ by {:.1e}: {}errors above {:.1e} are known to a hundredth\n",
+      reference.methods, reference.agreement,
+      reference.uncertainty() > reference.agreement ? "with the check below " : "",
+      100 * reference.uncertainty());
   if (study.error != Error::kJoints) {
     const auto own = reference.differences.find(study.error);
     const double difference = own == reference.differences.end() ? 0 : own->second;

@@ -14,11 +14,6 @@ const char* scalar_of(State state) { return state == State::kDouble ? "double" :
 
 const char* kept_of(State state) { return state == State::kCompensated ? "compensated" : "plain"; }
 
-std::string numbers(const std::vector<double>& values) {
-  const std::vector<std::string> result = transformed(values, emit::json_number);
-  return emit::json_list(result);
-}
-
 /// Columns of all errors, empty where the scene has none.
 std::string csv_errors(const Outcome& outcome) {
   std::string text;
@@ -94,7 +89,7 @@ Members setting_members(const Setting& setting) {
 Members outcome_members(const Outcome& outcome) {
   Members members = setting_members(outcome.setting);
   for (const auto& [error, values] : outcome.errors) {
-    members.emplace_back(fmt::format("{}s", row_of(error).column), numbers(values));
+    members.emplace_back(fmt::format("{}s", row_of(error).column), emit::json_numbers(values));
   }
   members.emplace_back("status", fmt::format("{}", outcome.status));
   members.emplace_back("operations", fmt::format("{}", outcome.step_cost().total()));

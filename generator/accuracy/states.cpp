@@ -54,9 +54,9 @@ States::States(const model::Tree& tree) : dof_(static_cast<std::size_t>(tree.dof
       }
       return value == 0 ? Range{} : Range{-value, value};
     };
-    const double usual = joint.type == model::JointType::kRevolute ? std::numbers::pi : 1;
+    const double usual = joint.turns() ? std::numbers::pi : 1;
     joints_.push_back(joint.name);
-    turns_.push_back(joint.type == model::JointType::kRevolute);
+    turns_.push_back(joint.turns());
     const Range between{limits.lower ? static_cast<double>(*limits.lower) : 0,
                         limits.upper ? static_cast<double>(*limits.upper) : 0};
     const bool stated = limits.lower && limits.upper && between.low < between.high;

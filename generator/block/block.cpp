@@ -88,11 +88,7 @@ Shape skew_shape(const Expression& a) {
 }
 
 Expression make(Kind kind, const Shape& shape, std::vector<Expression> operands) {
-  Node node;
-  node.kind = kind;
-  node.shape = shape;
-  node.operands = std::move(operands);
-  return Expression(std::move(node));
+  return Expression({kind, shape, {}, {}, {}, std::move(operands)});
 }
 
 void append(std::vector<Expression>& list, Kind kind, const Expression& a) {
@@ -135,12 +131,7 @@ std::string to_string(const Shape& shape) {
 Expression::Expression(Node node) : node_(std::make_shared<const Node>(std::move(node))) {}
 
 Expression leaf(const std::string& name, Structure structure, const Shape& shape) {
-  Node node;
-  node.kind = Kind::kLeaf;
-  node.shape = shape;
-  node.name = name;
-  node.structure = structure;
-  return Expression(std::move(node));
+  return Expression({Kind::kLeaf, shape, name, structure, {}, {}});
 }
 
 Ratio multiply(const Ratio& a, const Ratio& b) {
@@ -155,12 +146,7 @@ Ratio add(const Ratio& a, const Ratio& b) {
 }
 
 Expression named(const std::string& name, const Expression& expression) {
-  Node node;
-  node.kind = Kind::kNamed;
-  node.shape = expression.shape();
-  node.name = name;
-  node.operands = {expression};
-  return Expression(std::move(node));
+  return Expression({Kind::kNamed, expression.shape(), name, {}, {}, {expression}});
 }
 
 Expression operator+(const Expression& a, const Expression& b) {
@@ -188,18 +174,8 @@ Expression operator*(const Expression& a, const Expression& b) {
 Expression operator*(int factor, const Expression& a) { return Ratio{factor, 1} * a; }
 
 Expression operator*(const Ratio& factor, const Expression& a) {
-  Ratio total = factor;
-  Expression scaled = a;
-  if (a.kind() == Kind::kScaled) {
-    total = multiply(total, a.node().factor);
-    scaled = a.operands().front();
-  }
-  Node node;
-  node.kind = Kind::kScaled;
-  node.shape = a.shape();
-  node.factor = total;
-  node.operands = {scaled};
-  return Expression(std::move(node));
+  return a.kind() == Kind::kScaled ? multiply(factor, a.node().factor) * a.operands().front()
+                                   : Expression({Kind::kScaled, a.shape(), {}, {}, factor, {a}});
 }
 
 Expression operator-(const Expression& a) { return -1 * a; }
@@ -226,19 +202,8 @@ Expression diagb(const Expression& x) {
 bool equal(const Expression& a, const Expression& b) {
   const Node& x = unnamed(a).node();
   const Node& y = unnamed(b).node();
-  if (&x == &y) {
-    return true;
-  }
-  if (x.kind != y.kind || x.shape != y.shape || x.name != y.name || x.factor != y.factor ||
-      x.operands.size() != y.operands.size()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < x.operands.size(); ++i) {
-    if (!equal(x.operands[i], y.operands[i])) {
-      return false;
-    }
-  }
-  return true;
+  return &x == &y || (x.kind == y.kind && x.shape == y.shape && x.name == y.name &&
+                      x.factor == y.factor && std::ranges::equal(x.operands, y.operands, equal));
 }
 
 }  // namespace treedyn::block

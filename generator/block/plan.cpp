@@ -137,17 +137,20 @@ int Plan::constant(Step step) {
   return id;
 }
 
-/// Completes a step whose operands are set: constants are folded, the rest is remembered under
-/// `key`.
-int Plan::finish(const Key& key, Step step) {
+/// The step of that key: constants are folded, the rest is remembered.
+template <class Make>
+int Plan::once(const Key& key, const std::vector<int>& ids, Make make) {
+  if (const auto found = known_.find(key); found != known_.end()) {
+    return found->second;
+  }
+  Step step = make();
+  step.operands = ids;
   const bool integers = std::ranges::all_of(
       step.factors, [](const Ratio& factor) { return factor.denominator == 1; });
-  if (is_constant(step.operands) && step.block_size() == 1 && integers) {
-    return constant(folded(step, operands(step.operands)));
+  if (is_constant(ids) && step.block_size() == 1 && integers) {
+    return constant(folded(step, operands(ids)));
   }
-  const int id = append(std::move(step));
-  known_.emplace(key, id);
-  return id;
+  return known_[key] = append(std::move(step));
 }
 
 int Plan::add(const Expression& e) {
@@ -217,38 +220,18 @@ int Plan::add_sum(const std::vector<Scaled>& terms) {
     ids.push_back(term.step);
     factors.push_back(term.factor);
   }
-  const auto found = known_.find(key);
-  if (found != known_.end()) {
-    return found->second;
-  }
-  Step result = sum_step(operands(ids), std::move(factors));
-  result.operands = std::move(ids);
-  return finish(key, std::move(result));
+  return once(key, ids, [&] { return sum_step(operands(ids), std::move(factors)); });
 }
 
 int Plan::add_unary(const Expression& e) {
   const int operand = add(e.operands().front());
-  const Key key{-1 - static_cast<int>(e.kind()), operand};
-  const auto found = known_.find(key);
-  if (found != known_.end()) {
-    return found->second;
-  }
-  Step result;
-  switch (e.kind()) {
-    case Kind::kTranspose:
-      result = transpose_step(step(operand));
-      break;
-    case Kind::kSkew:
-      result = skew_step(step(operand), Operation::kSkew);
-      break;
-    case Kind::kSkewTranspose:
-      result = skew_step(step(operand), Operation::kSkewTranspose);
-      break;
-    default:
-      result = diagonal_step(step(operand));
-  }
-  result.operands = {operand};
-  return finish(key, std::move(result));
+  return once({-1 - static_cast<int>(e.kind()), operand}, {operand}, [&] {
+    const Step& x = step(operand);
+    return e.kind() == Kind::kTranspose       ? transpose_step(x)
+           : e.kind() == Kind::kSkew          ? skew_step(x, Operation::kSkew)
+           : e.kind() == Kind::kSkewTranspose ? skew_step(x, Operation::kSkewTranspose)
+                                              : diagonal_step(x);
+  });
 }
 
 int Plan::add_product(const Expression& e) {
@@ -322,25 +305,13 @@ int Plan::multiply(int a, int b) {
   if (const PathSum* sum = as_path_sum(b); sum != nullptr && !is_constant({a})) {
     return path_sum({!sum->subtree, sum->strict, true}, b, a);  // x D sums over descendants
   }
-  const Key key{static_cast<int>(Operation::kProduct), a, b};
-  const auto found = known_.find(key);
-  if (found != known_.end()) {
-    return found->second;
-  }
-  Step result = product_step(step(a), step(b));
-  result.operands = {a, b};
-  return finish(key, std::move(result));
+  return once({static_cast<int>(Operation::kProduct), a, b}, {a, b},
+              [&] { return product_step(step(a), step(b)); });
 }
 
 int Plan::path_sum(const PathSum& sum, int matrix, int x) {
-  const Key key{static_cast<int>(Operation::kPathSum), matrix, x, sum.on_right ? 1 : 0};
-  const auto found = known_.find(key);
-  if (found != known_.end()) {
-    return found->second;
-  }
-  Step result = path_sum_step(sum, step(x), index_);
-  result.operands = {x};
-  return finish(key, std::move(result));
+  return once({static_cast<int>(Operation::kPathSum), matrix, x, sum.on_right ? 1 : 0}, {x},
+              [&] { return path_sum_step(sum, step(x), index_); });
 }
 
 int Plan::chain(const std::vector<int>& factors) {

@@ -45,7 +45,8 @@ class Plan {
 
   int append(Step step);
   int constant(Step step);
-  int finish(const Key& key, Step step);
+  template <class Make>
+  int once(const Key& key, const std::vector<int>& ids, Make make);
   [[nodiscard]] std::vector<const Step*> operands(const std::vector<int>& ids) const;
   [[nodiscard]] bool is_constant(const std::vector<int>& ids) const;
 

@@ -56,50 +56,42 @@ Rows path_sum_lines(const PathSum& sum, const Rows& x, const Index& index) {
   return lines;
 }
 
-// Adds line `from` of the operand (or of the result itself) to line `to` of the result.
-class LineAdder {
- public:
-  LineAdder(Step& result, const Step& x, bool columns)
-      : result_(result), x_(x), columns_(columns) {}
-
-  void add(int to, int from, bool from_result) {
-    const Pattern& source = from_result ? result_.pattern : x_.pattern;
-    const int others = columns_ ? source.rows() : source.cols();
-    for (int other = 0; other < others; ++other) {
-      const int left = columns_ ? source.find(other, from) : source.find(from, other);
+void path_sum_terms(const PathSum& sum, Step& result, const Step& x, const Index& index) {
+  const bool columns = sum.on_right;
+  // line `from` of the operand (or of the result itself) to line `to` of the result
+  const auto add = [&](int to, int from, bool from_result) {
+    const Pattern& source = from_result ? result.pattern : x.pattern;
+    for (int other = 0; other < (columns ? source.rows() : source.cols()); ++other) {
+      const int left = columns ? source.find(other, from) : source.find(from, other);
       if (left >= 0) {
-        const int target =
-            columns_ ? result_.pattern.find(other, to) : result_.pattern.find(to, other);
-        result_.terms.push_back({target, left, from_result ? 1 : 0});
+        result.terms.push_back(
+            {columns ? result.pattern.find(other, to) : result.pattern.find(to, other), left,
+             from_result ? 1 : 0});
       }
     }
-  }
-
- private:
-  Step& result_;
-  const Step& x_;
-  bool columns_;
-};
-
-void path_sum_terms(const PathSum& sum, Step& result, const Step& x, const Index& index) {
-  LineAdder lines(result, x, sum.on_right);
+  };
   for (int i = 0; i < index.links() && !sum.strict; ++i) {
-    lines.add(i, i, false);
+    add(i, i, false);
   }
   for (const Edge& edge : edges(sum, index)) {
-    lines.add(edge.to, edge.from, true);
+    add(edge.to, edge.from, true);
     if (sum.strict) {
-      lines.add(edge.to, edge.from, false);
+      add(edge.to, edge.from, false);
     }
   }
 }
 
-Step same_blocks(const Step& a, Operation operation) {
+Step made(Operation operation, int height, int width, Pattern pattern) {
   Step result;
   result.operation = operation;
-  result.height = a.height;
-  result.width = a.width;
-  result.pattern = a.pattern;
+  result.height = height;
+  result.width = width;
+  result.pattern = std::move(pattern);
+  return result;
+}
+
+Step same_blocks(const Step& a, Operation operation) {
+  Step result = made(operation, a.height, a.width, a.pattern);
   for (int block = 0; block < a.pattern.blocks(); ++block) {
     result.terms.push_back({block, block, 0});
   }
@@ -136,9 +128,7 @@ std::int64_t folded_term(const Step& step, const Term& term,
 }  // namespace
 
 Step constant_step(Pattern pattern, std::vector<int> values) {
-  Step result;
-  result.operation = Operation::kConstant;
-  result.pattern = std::move(pattern);
+  Step result = made(Operation::kConstant, 1, 1, std::move(pattern));
   result.constants = std::move(values);
   return result;
 }
@@ -163,11 +153,8 @@ Step sum_step(const std::vector<const Step*>& operands, std::vector<Ratio> facto
 
 Step product_step(const Step& a, const Step& b) {
   TREEDYN_EXPECT(a.pattern.cols() == b.pattern.rows());
-  Step result;
-  result.operation = Operation::kProduct;
-  result.height = a.block_size() == 1 ? b.height : a.height;
-  result.width = b.block_size() == 1 ? a.width : b.width;
-  result.pattern = product(a.pattern, b.pattern);
+  Step result = made(Operation::kProduct, a.block_size() == 1 ? b.height : a.height,
+                     b.block_size() == 1 ? a.width : b.width, product(a.pattern, b.pattern));
   a.pattern.visit([&](int i, int k, int left) {
     b.pattern.visit_row(k, [&](int j, int right) {
       result.terms.push_back({result.pattern.find(i, j), left, right});
@@ -179,21 +166,14 @@ Step product_step(const Step& a, const Step& b) {
 Step path_sum_step(const PathSum& sum, const Step& x, const Index& index) {
   const Pattern lines_of_x = sum.on_right ? transpose(x.pattern) : x.pattern;
   const Pattern lines(lines_of_x.cols(), path_sum_lines(sum, rows_of(lines_of_x), index));
-  Step result;
-  result.operation = Operation::kPathSum;
-  result.height = x.height;
-  result.width = x.width;
-  result.pattern = sum.on_right ? transpose(lines) : lines;
+  Step result =
+      made(Operation::kPathSum, x.height, x.width, sum.on_right ? transpose(lines) : lines);
   path_sum_terms(sum, result, x, index);
   return result;
 }
 
 Step transpose_step(const Step& a) {
-  Step result;
-  result.operation = Operation::kTranspose;
-  result.height = a.width;
-  result.width = a.height;
-  result.pattern = transpose(a.pattern);
+  Step result = made(Operation::kTranspose, a.width, a.height, transpose(a.pattern));
   a.pattern.visit([&](int i, int j, int block) {
     result.terms.push_back({result.pattern.find(j, i), block, 0});
   });

@@ -1,11 +1,11 @@
 #include "cli/accuracy_axes.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "emit/definitions.hpp"
 #include "formulate/constrained.hpp"
 #include "formulate/scene_phases.hpp"
 #include "formulate/scene_system.hpp"
@@ -48,9 +48,8 @@ std::string statements(const Subject& subject, const std::string& integrator,
   const Stepped how{integrator, 1, emit::Scalar::kDouble, false, variant};
   std::string result;
   for (const emit::File& file : stepped_files(subject, how, writer, false).files) {
-    std::istringstream lines(file.text);
     const bool is_code = !file.name.ends_with(".json");
-    for (std::string line; is_code && std::getline(lines, line);) {
+    for (const std::string& line : emit::lines_of(is_code ? file.text : "")) {
       const bool is_digest = line.find("kDigest") != std::string::npos;
       const std::string code = line.substr(0, line.find("//"));
       const bool is_empty = code.find_first_not_of(' ') == std::string::npos;

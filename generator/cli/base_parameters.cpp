@@ -5,11 +5,13 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "common/error.hpp"
+#include "emit/literal.hpp"
 #include "program/interpret.hpp"
 #include "program/random.hpp"
-#include "stages/formulation.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 
@@ -40,11 +42,16 @@ std::vector<Row> rows_of(const program::Function& regressor, std::size_t columns
   return rows;
 }
 
-/// Reduced row echelon form by the largest pivots: the columns of the pivots; row k of the result
-/// belongs to the k-th of them.
-std::vector<std::size_t> reduce(std::vector<Row>& rows, std::size_t columns) {
+/// A column that is independent of those before it.
+struct Pivot {
+  std::size_t column;
+  Real size;  ///< the largest number that those before it leave of it
+};
+
+/// Reduced row echelon form by the largest pivots; row k of the result belongs to the k-th of them.
+std::vector<Pivot> reduce(std::vector<Row>& rows, std::size_t columns) {
   const Real zero("1e-30");
-  std::vector<std::size_t> pivots;
+  std::vector<Pivot> pivots;
   for (std::size_t column = 0; column < columns; ++column) {
     const auto from = rows.begin() + static_cast<std::ptrdiff_t>(pivots.size());
     const auto largest = std::max_element(from, rows.end(), [&](const Row& a, const Row& b) {
@@ -55,6 +62,7 @@ std::vector<std::size_t> reduce(std::vector<Row>& rows, std::size_t columns) {
     }
     std::iter_swap(from, largest);
     Row& pivot = *from;
+    pivots.push_back({column, abs(pivot[column])});
     const Real scale = 1 / pivot[column];
     std::ranges::for_each(pivot, [&](Real& x) { x *= scale; });
     for (Row& row : rows) {
@@ -67,7 +75,6 @@ std::vector<std::size_t> reduce(std::vector<Row>& rows, std::size_t columns) {
       }
       row[column] = 0;
     }
-    pivots.push_back(column);
   }
   rows.resize(pivots.size());
   return pivots;
@@ -77,6 +84,36 @@ std::string parameter_name(const model::Tree& tree, std::size_t column) {
   static constexpr std::array<const char*, kParameters> kNames = {
       "m", "m_c_x", "m_c_y", "m_c_z", "xx", "xy", "xz", "yy", "yz", "zz"};
   return fmt::format("{}.{}", tree.links[column / kParameters].name, kNames[column % kParameters]);
+}
+
+/// 0 of a mass, 1 of m_c, 2 of an inertia.
+std::size_t kind_of(std::size_t column) {
+  const std::size_t part = column % kParameters;
+  return part == 0 ? 0 : part < 4 ? 1 : 2;
+}
+
+/// The columns that depend on those before them but for less than 1e-5 of the largest of their
+/// kind.
+std::string nearly_dependent(const model::Tree& tree, const std::vector<Pivot>& pivots) {
+  std::array<Real, 3> largest = {0, 0, 0};
+  for (const Pivot& pivot : pivots) {
+    Real& of_kind = largest[kind_of(pivot.column)];
+    of_kind = std::max(of_kind, pivot.size);
+  }
+  std::vector<std::string> names;
+  for (const auto& [column, size] : pivots) {
+    const Real part = size / largest[kind_of(column)];
+    if (part < Real("1e-5")) {
+      names.push_back(
+          fmt::format("{} ({:.1e})", parameter_name(tree, column), static_cast<double>(part)));
+    }
+  }
+  return names.empty() ? ""
+                       : fmt::format(
+                             "{} of them can hardly be measured, by so much of the largest "
+                             "of their kind: {}; where an angle just misses a special "
+                             "value, vet names it and --snap takes that one\n",
+                             names.size(), fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -94,26 +131,26 @@ std::string base_parameters_text(const Model& model, const Request& request) {
   const std::size_t columns = kParameters * tree.links.size();
   std::vector<Row> rows =
       rows_of(formulate::formulated(tree, "inverse_dynamics_regressor", options), columns);
-  const std::vector<std::size_t> pivots = reduce(rows, columns);
+  const std::vector<Pivot> pivots = reduce(rows, columns);
   std::string result =
       fmt::format("base parameters: {} of {}; columns of inverse_dynamics_regressor, from 0\n",
                   pivots.size(), columns);
   const Real zero("1e-20");
   for (std::size_t k = 0; k < pivots.size(); ++k) {
-    result += fmt::format("{:5}  {}", pivots[k], parameter_name(tree, pivots[k]));
-    for (std::size_t column = pivots[k] + 1; column < columns; ++column) {
+    const std::size_t own = pivots[k].column;
+    result += fmt::format("{:5}  {}", own, parameter_name(tree, own));
+    for (std::size_t column = own + 1; column < columns; ++column) {
       const Real& x = rows[k][column];
       if (abs(x) > zero) {
         const Real size = abs(x);
-        result += fmt::format(
-            " {} {}{}", x < 0 ? '-' : '+',
-            abs(size - 1) < zero ? "" : fmt::format("{:.9g} ", static_cast<double>(size)),
-            parameter_name(tree, column));
+        result += fmt::format(" {} {}{}", x < 0 ? '-' : '+',
+                              abs(size - 1) < zero ? "" : emit::decimal(size) + " ",
+                              parameter_name(tree, column));
       }
     }
     result += "\n";
   }
-  return result;
+  return result + nearly_dependent(tree, pivots);
 }
 
 }  // namespace treedyn

@@ -16,7 +16,7 @@
 #include "equations/table.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/trunk.hpp"
-#include "stages/formulation.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 namespace {

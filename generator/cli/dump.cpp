@@ -11,9 +11,7 @@
 #include "equations/table.hpp"
 #include "expansion/equations_text.hpp"
 #include "formulate/scene_names.hpp"
-#include "stages/formulation.hpp"
-#include "stages/run_time_parameters.hpp"
-#include "stages/writing.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 
@@ -36,11 +34,10 @@ std::string model_text(const model::Tree& tree) {
         "link {} {} father {} joint {} {}\n  axis{}\n  offset{}\n  rotation{}\n  mass {}\n"
         "  com{}\n  inertia{}\n  coordinate {} * {} + {}\n",
         i, link.name, link.father, link.joint.identifier,
-        link.joint.type == model::JointType::kRevolute ? "revolute" : "prismatic",
-        numbers(link.joint.axis), numbers(link.joint.offset), numbers(link.joint.rotation),
-        link.inertia.mass.str(20), numbers(link.inertia.com), numbers(link.inertia.about_com),
-        tree.drives[i].coordinate, tree.drives[i].multiplier.str(20),
-        tree.drives[i].offset.str(20));
+        link.joint.turns() ? "revolute" : "prismatic", numbers(link.joint.axis),
+        numbers(link.joint.offset), numbers(link.joint.rotation), link.inertia.mass.str(20),
+        numbers(link.inertia.com), numbers(link.inertia.about_com), tree.drives[i].coordinate,
+        tree.drives[i].multiplier.str(20), tree.drives[i].offset.str(20));
   }
   return result;
 }

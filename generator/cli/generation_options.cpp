@@ -13,7 +13,7 @@
 #include "common/parallel.hpp"
 #include "equations/scene_table.hpp"
 #include "model/scene_facts.hpp"
-#include "stages/formulation.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 

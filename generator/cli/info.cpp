@@ -23,7 +23,7 @@ std::string joint_table(const Model& model) {
   for (int k = 0; k < model.tree.dof(); ++k) {
     const model::Link& link = model.tree.moved_by(k);
     rows.push_back({std::to_string(k), shown(link.joint.name),
-                    is_revolute(link) ? "revolute" : "prismatic",
+                    link.joint.turns() ? "revolute" : "prismatic",
                     std::to_string(emit::father_coordinate(model.tree, k)), shown(link.name),
                     emit::decimal(link.inertia.mass)});
   }

@@ -3,7 +3,6 @@
 #include "cli/info.hpp"
 #include "cli/model_facts.hpp"
 #include "cli/prices.hpp"
-#include "common/decimal.hpp"
 #include "common/transformed.hpp"
 #include "emit/header.hpp"
 #include "emit/json.hpp"
@@ -30,7 +29,7 @@ std::vector<std::string> joints_json(const Model& model) {
         json_object({{"name", json_string(link.joint.name)},
                      {"identifier", json_string(link.joint.identifier)},
                      {"index", std::to_string(k)},
-                     {"type", json_string(is_revolute(link) ? "revolute" : "prismatic")},
+                     {"type", json_string(link.joint.turns() ? "revolute" : "prismatic")},
                      {"father", std::to_string(emit::father_coordinate(model.tree, k))},
                      {"link", json_string(link.name)},
                      {"mass", emit::decimal(link.inertia.mass)}}));
@@ -88,13 +87,15 @@ std::vector<std::string> dissipations_json(const model::Tree& tree) {
 
 /// \param key  what the prices are of
 std::string prices_json(const char* key, const std::vector<Price>& prices) {
-  const std::vector<std::string> result = transformed(prices, [&](const Price& price) {
-    return json_object({{key, json_string(price.of)},
-                        {"function", json_string(price.function)},
-                        {"with", emit::operations_json(price.with)},
-                        {"without", emit::operations_json(price.without)}});
-  });
-  return emit::json_lines(result, 4);
+  return emit::json_lines(
+      transformed(prices,
+                  [&](const Price& price) {
+                    return json_object({{key, json_string(price.of)},
+                                        {"function", json_string(price.function)},
+                                        {"with", emit::operations_json(price.with)},
+                                        {"without", emit::operations_json(price.without)}});
+                  }),
+      4);
 }
 
 /// Nothing without run-time parameters.

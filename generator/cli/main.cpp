@@ -28,7 +28,7 @@
 #include "common/decimal.hpp"
 #include "pipeline.hpp"
 #include "stages/function_accuracy.hpp"
-#include "stages/in_scalar.hpp"
+#include "stages/stages.hpp"
 #include "system/files.hpp"
 
 namespace {

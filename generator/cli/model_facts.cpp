@@ -3,11 +3,9 @@
 #include "block/pattern.hpp"
 #include "common/identifier.hpp"
 #include "equations/kinematics.hpp"
-#include "stages/checked_siblings.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
-
-bool is_revolute(const model::Link& link) { return link.joint.type == model::JointType::kRevolute; }
 
 std::vector<std::string> reachability_rows(const model::Tree& tree) {
   std::vector<std::string> rows =

@@ -8,8 +8,6 @@
 
 namespace treedyn {
 
-bool is_revolute(const model::Link& link);
-
 /// The rows of D: 'x' where the column's link is the row's link or carries it.
 std::vector<std::string> reachability_rows(const model::Tree& tree);
 

@@ -59,9 +59,9 @@ NamedValues values_of(std::vector<std::string> command, const std::string& name,
                       const std::string& space, const fs::path& folder,
                       const std::vector<program::Signature>& functions) {
   const TemporaryFolder scratch;
-  const std::string driver = (scratch.path() / "driver.cpp").string();
-  const std::string program = (scratch.path() / "driver").string();
-  const std::string printed = (scratch.path() / "values").string();
+  const std::string driver = scratch.file("driver.cpp");
+  const std::string program = scratch.file("driver");
+  const std::string printed = scratch.file("values");
   write_files({{driver, driver_text(name, space, functions)}});
   command.insert(command.end(), {"-std=c++11", "-O1", "-I", fs::absolute(folder).string(), driver,
                                  fs::absolute(folder / (name + ".cpp")).string(), "-o", program});
@@ -109,7 +109,7 @@ std::vector<program::Signature> signatures_of(const Model& model) {
 std::string numeric_report(const Model& model, const Request& request,
                            const std::vector<emit::File>& files, const std::string& folder) {
   const TemporaryFolder fresh;
-  std::vector<std::string> compiler = find_compiler((fresh.path() / "version").string());
+  std::vector<std::string> compiler = find_compiler(fresh.file("version"));
   if (compiler.empty()) {
     return "numeric: no C++ compiler found ($CXX, c++, g++, clang++)\n";
   }
@@ -118,7 +118,7 @@ std::string numeric_report(const Model& model, const Request& request,
   }
   const std::string space = request.space.value_or(model.name);
   for (const emit::File& file : files) {
-    write_files({{(fresh.path() / file.name).string(), file.text}});
+    write_files({{fresh.file(file.name), file.text}});
   }
   const fs::path present = fs::path(folder) / (model.name + ".hpp");
   std::error_code ignored;

@@ -7,7 +7,7 @@
 #include "formulate/scene_sticking.hpp"
 #include "formulate/stand_ins.hpp"
 #include "model/effects.hpp"
-#include "stages/in_scalar.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 

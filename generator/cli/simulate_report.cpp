@@ -30,10 +30,9 @@ std::string bracketed(const std::vector<std::string>& values) {
 /// Short numbers, enough for a picture.
 template <class List>
 std::string short_numbers(const List& values) {
-  const std::vector<std::string> result = transformed(values, [&](double value) {
+  return bracketed(transformed(values, [&](double value) {
     return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
-  });
-  return bracketed(result);
+  }));
 }
 
 /// \param contacts  instead of those of the row, from this column on

@@ -34,12 +34,7 @@ std::string csv_field(const std::string& name) {
 }
 
 using emit::json_number;
-
-template <class List>
-std::string json_numbers(const List& values) {
-  const std::vector<std::string> result = transformed(values, json_number);
-  return emit::json_list(result);
-}
+using emit::json_numbers;
 
 std::string event_json(const SimulateResult& result, const simulation::EventRecord& event) {
   return emit::json_object({{"t", json_number(event.time)},

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "emit/definitions.hpp"
 #include "system/compiler.hpp"
 #include "system/files.hpp"
 
@@ -75,11 +76,10 @@ Calls calls_in(const std::string& text) {
   static const std::regex branch("(?:b|bl|blx|cb)[a-z]*(?:\\.[nw])?\t.*<([^+>]*)(?:\\+.*)?>.*");
   static const std::regex leaves("(?:b(?:\\.[nw])?\t|bx\t|pop.*pc|ldmia.*pc|ldr.*\tpc).*");
   Calls result;
-  std::istringstream lines(text);
   std::string now;
   bool falls = false;
   std::smatch match;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : emit::lines_of(text)) {
     if (std::regex_match(line, match, head)) {
       if (falls) {
         result.of[now].insert(match[1]);
@@ -112,9 +112,8 @@ Calls calls_in(const std::string& text) {
 Frames frames_in(const std::string& text) {
   static const std::regex node("node: \\{ title: \"([^\"]*)\".*\\\\n([0-9]+) bytes \\(.*");
   Frames result;
-  std::istringstream lines(text);
   std::smatch match;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : emit::lines_of(text)) {
     if (std::regex_match(line, match, node)) {
       const std::string title = match[1];
       result[title.substr(title.rfind(':') + 1)] = std::stol(match[2]);
@@ -147,31 +146,24 @@ long depth(const std::string& function, const Calls& calls, const Frames& frames
 std::string contents(const std::string& path) { return read_file(path).value_or(""); }
 
 /// Where the compiler and its tools work.
-class Workshop {
- public:
-  [[nodiscard]] std::string path(const std::string& file) const {
-    return (folder_.path() / file).string();
-  }
+struct Workshop : TemporaryFolder {
   /// What a program prints. \throws InputError if it fails
   [[nodiscard]] std::string output(Words words) const {
     const std::string name = words.front();
-    if (!succeeds(std::move(words), path("log"))) {
+    if (!succeeds(std::move(words), file("log"))) {
       throw InputError({}, fmt::format("--flash, --stack: {} fails on the generated step; expected "
                                        "Debian's arm-none-eabi compiler with newlib",
                                        name));
     }
-    return contents(path("log"));
+    return contents(file("log"));
   }
-
- private:
-  TemporaryFolder folder_;
 };
 
 /// Compiles and links the step alone. \return the symbol of `step`
 std::string build(const Workshop& workshop, const StepFiles& files, const accuracy::Core& core) {
-  std::vector<OutputFile> sources = {{workshop.path("cmath"), kMath}};
+  std::vector<OutputFile> sources = {{workshop.file("cmath"), kMath}};
   for (const emit::File& file : files.files) {
-    sources.push_back({workshop.path(file.name), file.text});
+    sources.push_back({workshop.file(file.name), file.text});
   }
   write_files(sources);
   Words common = {kTool + "g++", "-mthumb"};
@@ -180,21 +172,20 @@ std::string build(const Workshop& workshop, const StepFiles& files, const accura
   compile.insert(
       compile.end(),
       {"-std=c++11", "-Os", "-ffp-contract=off", "-fno-math-errno", "-fno-exceptions", "-fno-rtti",
-       "-ffunction-sections", "-fcallgraph-info=su", "-I" + workshop.path(""), "-c",
-       workshop.path(files.name + ".cpp"), "-o", workshop.path("step.o")});
+       "-ffunction-sections", "-fcallgraph-info=su", "-I" + workshop.file(""), "-c",
+       workshop.file(files.name + ".cpp"), "-o", workshop.file("step.o")});
   static_cast<void>(workshop.output(compile));
-  std::istringstream symbols(
-      workshop.output({kTool + "nm", "--defined-only", workshop.path("step.o")}));
+  const Words nm = {kTool + "nm", "--defined-only", workshop.file("step.o")};
   std::string step;
-  for (std::string line; std::getline(symbols, line);) {
+  for (const std::string& line : emit::lines_of(workshop.output(nm))) {
     if (line.find("4stepE") != std::string::npos && line.find(" T ") != std::string::npos) {
       step = line.substr(line.rfind(' ') + 1);
     }
   }
   Words link = common;
   link.insert(link.end(),
-              {"-nostdlib", "-Wl,--gc-sections", "-Wl,-e," + step, workshop.path("step.o"), "-lm",
-               "-lc", "-lgcc", "-o", workshop.path("step.elf")});
+              {"-nostdlib", "-Wl,--gc-sections", "-Wl,-e," + step, workshop.file("step.o"), "-lm",
+               "-lc", "-lgcc", "-o", workshop.file("step.elf")});
   static_cast<void>(workshop.output(link));
   return step;
 }
@@ -203,7 +194,7 @@ std::string build(const Workshop& workshop, const StepFiles& files, const accura
 
 void require_cross_compiler() {
   const TemporaryFolder folder;
-  if (!succeeds({kTool + "g++", "--version"}, (folder.path() / "log").string())) {
+  if (!succeeds({kTool + "g++", "--version"}, folder.file("log"))) {
     throw InputError({},
                      "--flash, --stack, --sizes: no arm-none-eabi-g++ on PATH, so nothing can "
                      "be measured; expected Debian's gcc-arm-none-eabi");
@@ -214,7 +205,7 @@ accuracy::Size step_size(const StepFiles& files, const accuracy::Core& core) {
   const Workshop workshop;
   const std::string step = build(workshop, files, core);
   accuracy::Size result;
-  std::istringstream sizes(workshop.output({kTool + "size", workshop.path("step.elf")}));
+  std::istringstream sizes(workshop.output({kTool + "size", workshop.file("step.elf")}));
   std::string head;
   std::getline(sizes, head);
   long text = 0;
@@ -222,9 +213,9 @@ accuracy::Size step_size(const StepFiles& files, const accuracy::Core& core) {
   sizes >> text >> data;
   result.flash = text + data;
   const Calls calls =
-      calls_in(workshop.output({kTool + "objdump", "-d", workshop.path("step.elf")}));
+      calls_in(workshop.output({kTool + "objdump", "-d", workshop.file("step.elf")}));
   std::set<std::string> open;
-  result.stack = depth(step, calls, frames_in(contents(workshop.path("step.ci"))), open);
+  result.stack = depth(step, calls, frames_in(contents(workshop.file("step.ci"))), open);
   return result;
 }
 

@@ -59,8 +59,7 @@ std::vector<Finding> vet(const Request& request) {
 
 std::string findings_text(const std::vector<Finding>& findings, const std::string& format) {
   if (format == "json") {
-    const std::vector<std::string> values = transformed(findings, json_finding);
-    return emit::json_lines(values, 2) + "\n";
+    return emit::json_lines(transformed(findings, json_finding), 2) + "\n";
   }
   std::string result;
   for (const Finding& finding : findings) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,12 @@ std::string closest(std::string_view word, const std::vector<std::string_view>& 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
   const std::string other = closest(word, known);
   return other.empty() ? "" : fmt::format(" (did you mean '{}'?)", shown(other));
+}
+
+std::string some_names(const std::vector<std::string_view>& all) {
+  constexpr std::size_t kMost = 8;
+  const auto shown_names = transformed(std::span(all).first(std::min(all.size(), kMost)), shown);
+  return fmt::format("{}{}", fmt::join(shown_names, ", "), all.size() > kMost ? ", .." : "");
 }
 
 }  // namespace treedyn

@@ -21,6 +21,9 @@ std::string closest(std::string_view word, const std::vector<std::string_view>& 
 /// " (did you mean 'x'?)", or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known);
 
+/// "a, b, ..", as messages show them, at most eight.
+std::string some_names(const std::vector<std::string_view>& all);
+
 /// The member `name` of every item; the views are into the list.
 template <class List>
 std::vector<std::string_view> names_of(const List& list) {

@@ -15,12 +15,6 @@ namespace treedyn {
 
 namespace {
 
-void note_source(RecipeKind kind, const Real& of, const Real& result) {
-  if (result.has_stand_in()) {
-    note_result(kind, of, result);
-  }
-}
-
 struct HashOfTwo {
   std::size_t operator()(const std::pair<Digits, Digits>& of) const {
     const std::hash<Digits> hash;
@@ -51,17 +45,8 @@ Digits remembered(const Digits& x, Function function) {
 }
 
 /// Of functions that have numbers without unit.
-Real ratio(const Real& x, const Real& result) {
-  if (result.has_stand_in()) {
-    note_ratio({&x, 1}, result);
-  }
-  return result;
-}
-
-Real ratio(const Real& y, const Real& x, const Real& result) {
-  if (result.has_stand_in()) {
-    note_ratio(std::array{y, x}, result);
-  }
+Real ratio(std::span<const Real> of, const Real& result) {
+  note_ratio(of, result);
   return result;
 }
 
@@ -152,6 +137,13 @@ std::partial_ordering operator<=>(const Real& a, const Real& b) {
 
 Real abs(const Real& x) { return x.seen() < 0 ? -x : x; }
 
+Real Real::noted(RecipeKind kind, const Real& x, Real result) {
+  result.recipe_ = recipe_of(kind, x);
+  if (result.differs_) {
+    note_result(kind, x, result);
+  }
+  return result;
+}
 Real sqrt(const Real& x) {
   const auto root = [](const Digits& a) {
     return remembered(a, [](const Digits& of) { return Digits(sqrt(of)); });
@@ -160,31 +152,23 @@ Real sqrt(const Real& x) {
   if (x.recipe_ != 0 && x.seen() < 0) {  // which may be negative where the number is not
     result.seen_ = root(-x.seen());
   }
-  result.recipe_ = recipe_of(RecipeKind::kSqrt, x);
-  note_source(RecipeKind::kSqrt, x, result);
-  return result;
+  return Real::noted(RecipeKind::kSqrt, x, result);
 }
 Real sin(const Real& x) {
-  Real result = Real::map(x, [](const Digits& a) {
-    return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
-  });
-  result.recipe_ = recipe_of(RecipeKind::kSin, x);
-  note_source(RecipeKind::kSin, x, result);
-  return result;
+  return Real::noted(RecipeKind::kSin, x, Real::map(x, [](const Digits& a) {
+                       return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
+                     }));
 }
 Real cos(const Real& x) {
-  Real result = Real::map(x, [](const Digits& a) {
-    return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
-  });
-  result.recipe_ = recipe_of(RecipeKind::kCos, x);
-  note_source(RecipeKind::kCos, x, result);
-  return result;
+  return Real::noted(RecipeKind::kCos, x, Real::map(x, [](const Digits& a) {
+                       return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
+                     }));
 }
 Real tan(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));
+  return ratio({&x, 1}, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));
 }
 Real log(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(log(a)); }));
+  return ratio({&x, 1}, Real::map(x, [](const Digits& a) { return Digits(log(a)); }));
 }
 Real floor(const Real& x) {
   return Real::map(x, [](const Digits& a) { return Digits(floor(a)); });
@@ -193,7 +177,7 @@ Real round(const Real& x) {
   return Real::map(x, [](const Digits& a) { return Digits(round(a)); });
 }
 Real atan2(const Real& y, const Real& x) {
-  return ratio(y, x, Real::map(y, x, [](const Digits& a, const Digits& b) {
+  return ratio(std::array{y, x}, Real::map(y, x, [](const Digits& a, const Digits& b) {
                  return remembered(
                      a, b, [](const Digits& p, const Digits& q) { return Digits(atan2(p, q)); });
                }));

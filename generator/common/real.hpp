@@ -138,6 +138,8 @@ class Real {
   /// a operation b, with its recipe and source.
   template <class Operation>
   static Real made(RecipeKind kind, const Real& a, const Real& b, Operation operation);
+  /// `result` as a function of x, with its recipe and source.
+  static Real noted(RecipeKind kind, const Real& x, Real result);
   static Real from(long double value);
   static Real from(long long value);
   static Real from(unsigned long long value);

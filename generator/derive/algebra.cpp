@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "common/error.hpp"
-#include "derive/telescope.hpp"
 
 namespace treedyn::derive {
 Set Algebra::set_of(int a, int b) const {
@@ -363,9 +362,7 @@ int Algebra::telescoped(Op op, int x) {
   if (value(x).op == Op::kSkewProduct) {
     terms = {{kPlus, x}};
   } else if (value(x).op == Op::kLinear) {
-    for (std::size_t k = 0; k < value(x).operands.size(); ++k) {
-      terms.emplace_back(value(x).factors[k], value(x).operands[k]);
-    }
+    terms = terms_in(value(x));
   }
   const std::optional<int> w = telescopes(values_, terms);
   if (!w) {

@@ -1,6 +1,7 @@
 // Operations on columns of blocks, merged as they are made (R3, R5).
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -8,10 +9,26 @@
 
 namespace treedyn::derive {
 
-using Terms = std::vector<std::pair<Ratio, int>>;
-
 /// What R6 and R7 do not cover.
 struct NoComposites {};
+
+/// Links as link j of the column sees them.
+struct Places {
+  bool here = false;    ///< j
+  bool above = false;   ///< on the way from j to the root
+  bool below = false;   ///< in the subtree of j
+  bool beside = false;  ///< anywhere else
+};
+
+/// A superset of the links at which value `x` is not zero, if the rows on the way from j to the
+/// root are enough to compute those rows of it.
+/// \throws NoComposites if they are not: something comes up from below, from beside or from points
+Places places(const Values& values, int x);
+
+/// For δ = Σ factor Λ(a)Λ(b) with a, b among w, ω = D w and ω_f = N w: w, if
+/// δ = Λ(ω)² - Λ(ω_f)² identically. The candidate is what is left of δ for ω_f = 0; that it
+/// telescopes is a polynomial identity in w and ω_f, which is expanded, once for terms alike.
+std::optional<int> telescopes(const Values& values, const Terms& terms);
 
 class Algebra {
  public:

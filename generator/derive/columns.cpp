@@ -195,11 +195,9 @@ int Columns::sum(const Factors& terms, bool transposed, int x) {
       return algebra_.scale(algebra_.leaf("E-σ", Set::kLinks, Type::kScalar), x);
     }
   }
-  Terms result;
-  for (const Expression& term : terms) {
-    result.emplace_back(Ratio{}, apply(term, transposed, x));
-  }
-  return algebra_.note(Rule::kDistribute, algebra_.linear(result));
+  return algebra_.note(Rule::kDistribute, of_terms(terms, [&](const Expression& term) {
+                         return apply(term, transposed, x);
+                       }));
 }
 
 int Columns::skew(const Expression& Y, bool transposed, int x) {
@@ -221,13 +219,9 @@ int Columns::skew(const Expression& Y, bool transposed, int x) {
       return skew(Y.operands().front(), transposed, x);
     case Kind::kScaled:
       return algebra_.linear({{Y.node().factor, skew(Y.operands().front(), transposed, x)}});
-    case Kind::kSum: {
-      Terms result;
-      for (const Expression& term : Y.operands()) {
-        result.emplace_back(Ratio{}, skew(term, transposed, x));
-      }
-      return algebra_.linear(result);
-    }
+    case Kind::kSum:
+      return of_terms(Y.operands(),
+                      [&](const Expression& term) { return skew(term, transposed, x); });
     case Kind::kProduct: {
       Factors factors;
       Ratio factor;
@@ -257,12 +251,10 @@ int Columns::skew_of_product(Factors factors, bool transposed, int x) {
   }
   if (v->kind() == Kind::kSum) {
     const Factors terms = v->operands();
-    Terms result;
-    for (const Expression& term : terms) {
+    return of_terms(terms, [&](const Expression& term) {
       *v = term;
-      result.emplace_back(Ratio{}, skew(product_of(factors.begin(), factors.end()), transposed, x));
-    }
-    return algebra_.linear(result);
+      return skew(product_of(factors.begin(), factors.end()), transposed, x);
+    });
   }
   const Expression whole = product_of(factors.begin(), factors.end());
   const bool word =
@@ -290,13 +282,9 @@ int Columns::cross_word(const Expression& P, int theta) {
       return cross_word(P.operands().front(), theta);
     case Kind::kScaled:
       return algebra_.linear({{P.node().factor, cross_word(P.operands().front(), theta)}});
-    case Kind::kSum: {
-      Terms result;
-      for (const Expression& term : P.operands()) {
-        result.emplace_back(Ratio{}, cross_word(term, theta));
-      }
-      return algebra_.linear(result);
-    }
+    case Kind::kSum:
+      return of_terms(P.operands(),
+                      [&](const Expression& term) { return cross_word(term, theta); });
     default:
       break;
   }

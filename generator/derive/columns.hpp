@@ -49,6 +49,15 @@ class Columns {
   int cross_word(const block::Expression& P, int theta);
   int by_components(const block::Expression& Y, bool transposed, int x);
   int spread(const block::Side& side, int x);
+  /// The sum of what becomes of the terms.
+  template <class Of>
+  int of_terms(const Factors& terms, Of of) {
+    Terms result;
+    for (const block::Expression& term : terms) {
+      result.emplace_back(Ratio{}, of(term));
+    }
+    return algebra_.linear(result);
+  }
   /// e times numbers 1.
   int narrow(const block::Expression& e, Set ones);
   int wide_diagonal(Type type, int blocks, bool transposed, int x);

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "derive/algebra.hpp"
-#include "derive/places.hpp"
 
 namespace treedyn::derive {
 int Algebra::product_of_steps(int a, int b) {

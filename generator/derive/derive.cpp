@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
+#include "derive/algebra.hpp"
 #include "derive/columns.hpp"
 #include "derive/forms.hpp"
-#include "derive/places.hpp"
-#include "derive/relative.hpp"
-#include "derive/transpose.hpp"
 #include "equations/dot.hpp"
 
 namespace treedyn::derive {

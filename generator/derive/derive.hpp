@@ -1,7 +1,6 @@
 // The derivation: a block expression becomes sums along the tree and steps of single links.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,13 +10,6 @@
 #include "derive/value.hpp"
 
 namespace treedyn::derive {
-
-/// Values of R9 for a chain of two states, the second of which adds a multiple of the first.
-struct Elimination {
-  std::array<int, 2> motion{};   ///< y
-  std::array<int, 2> bias{};     ///< p
-  std::array<int, 3> inertia{};  ///< K: of the first, between both, of the second
-};
 
 /// What an expression derives to. Its columns (or rows) are `roots`: one for every column of a
 /// single block; if the columns count links or points, `roots` holds one that depends on kUnit, the
@@ -31,7 +23,7 @@ struct Derivation {
   bool wide = false;  ///< the column that is asked for is one of 3x3 blocks: E at one place
   Values values;
   std::vector<int> roots;
-  std::optional<Elimination> elimination;
+  bool elimination = false;  ///< by R9
 };
 
 /// \param by_rows  of matrices whose both sides count links or points; not where their columns are
@@ -70,5 +62,10 @@ std::optional<Factored> constrained(const block::Expression& motion, const block
 /// of K μ = b, λ, and a column that λ leaves. Nothing for other equations.
 std::optional<Factored> least(const block::Expression& equation, const block::Expression& leaves,
                               const std::string& unknown, const std::string& multiplier);
+
+/// The rate along q̇ of what is derived, its own values beside their rates. Nothing if places of
+/// joints are asked for, or if it is made of others than constants of links, sums over subtrees and
+/// products.
+std::optional<Derivation> rate(const Derivation& derivation);
 
 }  // namespace treedyn::derive

@@ -23,7 +23,7 @@ class Eliminator {
       : values_(values), opening_(values, unknown), algebra_(opening_.algebra()) {}
 
   /// The unknowns; -1 if R9 does not act.
-  int run(int root, Elimination& result);
+  int run(int root);
 
  private:
   Affine opened(int x);
@@ -42,10 +42,10 @@ class Eliminator {
   /// As it stands, without R3: the order of the sums is that of the elimination.
   int sum(const Terms& terms);
   int travelling(const char* name, Type type) { return made(Op::kTravelling, type, {}, 0, name); }
-  int fold(int travelling, int own, int handed, int sum);
+  void fold(int travelling, int own, int handed, int sum);
   int yields(int x) { return values_.note(Rule::kYields, x); }
-  void eliminate(int r, Elimination& result);
-  int onward(Elimination& result);
+  void eliminate(int r);
+  int onward();
 
   Values& values_;
   Opening opening_;
@@ -214,31 +214,26 @@ int Eliminator::tensor(const Affine& a, const Atom& of) {
 }
 
 int Eliminator::sum(const Terms& terms) {
-  const Value& first = values_[terms.front().second];
-  Value value{Op::kLinear, first.set, first.type, {}, 0, {}, {}};
-  for (const auto& [factor, x] : terms) {
-    if (values_[x].op != Op::kZero) {
-      value.operands.push_back(x);
-      value.factors.push_back(factor);
-    }
+  const Value first = values_[terms.front().second];
+  Terms kept = terms;
+  std::erase_if(kept, [this](const auto& term) { return values_[term.second].op == Op::kZero; });
+  if (kept.empty()) {
+    return algebra_.zero(first.set, first.type);
   }
-  if (value.operands.empty()) {
-    return algebra_.zero(value.set, value.type);
-  }
-  return value.operands.size() == 1 && value.factors[0] == kPlus ? value.operands[0]
-                                                                 : values_.intern(value);
+  return kept.size() == 1 && kept[0].first == kPlus
+             ? kept[0].second
+             : values_.intern(plain_sum(kept, first.set, first.type));
 }
 
 /// \param sum  what travelled before
-int Eliminator::fold(int travelling, int own, int handed, int sum) {
+void Eliminator::fold(int travelling, int own, int handed, int sum) {
   const int result = made(Op::kFold, values_[travelling].type, {own, handed});
   values_.note(values_.made_by(sum), result);
   values_.define(travelling, result);
-  return result;
 }
 
 /// From the leaves: what a joint does not take goes to the father, X^T K' X and X^T p'.
-void Eliminator::eliminate(int r, Elimination& result) {
+void Eliminator::eliminate(int r) {
   const int I = travelling("I^A", Type::kTensor);
   const int H = travelling("h^A", Type::kTensor);
   const int M = travelling("m^A", Type::kTensor);
@@ -281,18 +276,18 @@ void Eliminator::eliminate(int r, Elimination& result) {
            {kPlus, sum({{kPlus, times(H1, zeta_[0], true)}, {kPlus, times(M1, zeta_[1])}})}})};
   const int H2 = sum({{kPlus, made(Op::kLever, Type::kTensor, {s_, M1})}, {kPlus, H1}});
   const int I2 = sum({{kPlus, made(Op::kLever, Type::kTensor, {s_, H1, H2})}, {kPlus, I1}});
-  result.inertia = {fold(I, tensor(z_[0].own, {y_[0].sum, false}), I2, z_[0].sum),
-                    fold(H, tensor(z_[0].own, {y_[1].sum, false}), H2, z_[0].sum),
-                    fold(M, tensor(z_[1].own, {y_[1].sum, false}), M1, z_[1].sum)};
+  fold(I, tensor(z_[0].own, {y_[0].sum, false}), I2, z_[0].sum);
+  fold(H, tensor(z_[0].own, {y_[1].sum, false}), H2, z_[0].sum);
+  fold(M, tensor(z_[1].own, {y_[1].sum, false}), M1, z_[1].sum);
   const int moment = algebra_.step(s_, p1[1]);
   const std::array<int, 2> own = {opening_.rest(z_[0].own, Type::kVector),
                                   opening_.rest(z_[1].own, Type::kVector)};
-  result.bias = {fold(p[0], own[0], sum({{kPlus, p1[0]}, {kPlus, moment}}), z_[0].sum),
-                 fold(p[1], own[1], p1[1], z_[1].sum)};
+  fold(p[0], own[0], sum({{kPlus, p1[0]}, {kPlus, moment}}), z_[0].sum);
+  fold(p[1], own[1], p1[1], z_[1].sum);
 }
 
 /// From the root: y without the joint's own part, x, y.
-int Eliminator::onward(Elimination& result) {
+int Eliminator::onward() {
   const std::array<int, 2> y = {travelling("α", Type::kVector), travelling("a", Type::kVector)};
   std::array<int, 2> father{};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -312,31 +307,29 @@ int Eliminator::onward(Elimination& result) {
   const int x = made(Op::kScale, Type::kScalar, {inverse_, sum({{kPlus, u_}, {kMinus, taken}})});
   for (std::size_t k = 0; k < 2; ++k) {
     const int own = made(Op::kScale, Type::kVector, {x, y_[k].axis});
-    result.motion[k] = sum({{kPlus, before[k]}, {kPlus, own}});
-    values_.define(y[k], result.motion[k]);
+    values_.define(y[k], sum({{kPlus, before[k]}, {kPlus, own}}));
   }
   return x;
 }
 
-int Eliminator::run(int root, Elimination& result) {
+int Eliminator::run(int root) {
   if (!find_states(root) || !is_symmetric()) {
     return -1;
   }
-  eliminate(u_, result);
-  return values_.note(Rule::kElimination, onward(result));
+  eliminate(u_);
+  return values_.note(Rule::kElimination, onward());
 }
 
 }  // namespace
 
 std::optional<Derivation> solved(const Derivation& system, const std::string& x) {
   Derivation result = system;
-  Elimination elimination;
   try {
-    result.roots = {Eliminator(result.values, x).run(system.roots.front(), elimination)};
+    result.roots = {Eliminator(result.values, x).run(system.roots.front())};
   } catch (const NoComposites&) {
     return std::nullopt;
   }
-  result.elimination = elimination;
+  result.elimination = true;
   return result.roots.front() < 0 ? std::nullopt : std::optional(result);
 }
 

@@ -63,8 +63,6 @@ class Factoring {
   bool least(const Expression& equation, const Expression& leaves, const std::string& multiplier);
 
  private:
-  using Terms = std::vector<std::pair<Ratio, int>>;
-
   int made(Op op, std::vector<int> operands, const std::string& name = "", Set set = Set::kLinks) {
     return values_.intern({op, set, Type::kScalar, name, 0, std::move(operands), {}});
   }
@@ -153,12 +151,10 @@ std::optional<int> Factoring::number(const Expression& e) {
 }
 
 int Factoring::sum(const Terms& terms) {
-  Value value{Op::kLinear, values_[terms.front().second].set, Type::kScalar, {}, 0, {}, {}};
-  for (const auto& [factor, x] : terms) {
-    value.factors.push_back(factor);
-    value.operands.push_back(x);
-  }
-  return value.factors == std::vector{kPlus} ? value.operands.front() : values_.intern(value);
+  const auto& [factor, x] = terms.front();
+  return terms.size() == 1 && factor == kPlus
+             ? x
+             : values_.intern(plain_sum(terms, values_[x].set, Type::kScalar));
 }
 
 /// What the unknown's term is equal to: symbols as they are, less one column of all else, which is

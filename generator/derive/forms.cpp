@@ -94,15 +94,8 @@ class Forms {
         return -1;
       }
     }
-    return value.op == Op::kLinear ? sorted(value) : new_.intern(std::move(value));
-  }
-
-  int sorted(const Value& value) {
-    Terms terms;
-    for (std::size_t k = 0; k < value.operands.size(); ++k) {
-      terms.emplace_back(value.factors[k], value.operands[k]);
-    }
-    return algebra_.linear(terms);
+    return value.op == Op::kLinear ? algebra_.linear(terms_in(value))
+                                   : new_.intern(std::move(value));
   }
 
   /// F2: D x ± g.
@@ -171,8 +164,7 @@ class Forms {
           {minus, algebra_.skew(algebra_.apply(J, omega))},
           {twice, algebra_.skew_product(c, algebra_.cross(omega, h))}};
       Terms rest;
-      for (std::size_t n = 0; n < sum.operands.size(); ++n) {
-        const std::pair<Ratio, int> term = {sum.factors[n], sum.operands[n]};
+      for (const auto& term : terms_in(sum)) {
         if (std::ranges::find(wanted, term) == wanted.end()) {
           rest.push_back(term);
         }
@@ -185,12 +177,7 @@ class Forms {
       rest.emplace_back(
           twice, noted(Rule::kTurned,
                        {Op::kProduct, sum.set, sum.type, {}, 0, {first.operands[0], E}, {}}));
-      sum.operands.clear();
-      sum.factors.clear();
-      for (const auto& [factor, x] : rest) {
-        sum.factors.push_back(factor);
-        sum.operands.push_back(x);
-      }
+      sum = plain_sum(rest, sum.set, sum.type);
       return;
     }
   }

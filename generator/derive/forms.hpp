@@ -1,6 +1,7 @@
 // The values of single links in their cheapest forms: pattern -> replacement (F2 to F8).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "derive/value.hpp"
@@ -19,5 +20,13 @@ struct Turning {
 /// The turnings among `needed` whose joints turn about z: w = y z and α = D (x z + ω_f×w) for
 /// numbers x, y. Then Ω z = Ω_f z: a joint changes Ω only across its own axis.
 std::vector<Turning> turnings_about_axes(const Values& values, const std::vector<int>& needed);
+
+/// Takes what turns with its link out of the rates of h^c and I^c, so that only speeds between
+/// links travel; `roots` follow. Other values stay as they are.
+Values with_relative_speeds(const Values& values, std::vector<int>& roots);
+
+/// The number `root` without the sums over subtrees that it is linear in; nothing if there are
+/// none.
+std::optional<int> transposed(Values& values, int root);
 
 }  // namespace treedyn::derive

@@ -325,12 +325,7 @@ int Algebra::linear(const Terms& terms) {
     return opened(terms, rest.front().second);
   }
   std::ranges::sort(rest, [](const auto& a, const auto& b) { return a.second < b.second; });
-  Value value{Op::kLinear, first.set, first.type, {}, 0, {}, {}};
-  for (const auto& [factor, x] : rest) {
-    value.operands.push_back(x);
-    value.factors.push_back(factor);
-  }
-  return opened(terms, values_.intern(std::move(value)));
+  return opened(terms, values_.intern(plain_sum(rest, first.set, first.type)));
 }
 
 }  // namespace treedyn::derive

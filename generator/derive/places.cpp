@@ -1,5 +1,3 @@
-#include "derive/places.hpp"
-
 #include <map>
 
 #include "derive/algebra.hpp"

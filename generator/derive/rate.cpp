@@ -1,5 +1,3 @@
-#include "derive/rate.hpp"
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "derive/columns.hpp"
+#include "derive/derive.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::derive {

@@ -1,11 +1,10 @@
-#include "derive/relative.hpp"
-
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "derive/algebra.hpp"
+#include "derive/forms.hpp"
 
 namespace treedyn::derive {
 namespace {
@@ -44,10 +43,7 @@ class Relative {
 
   int replaced(Value value) {
     if (value.op == Op::kLinear) {
-      Terms terms;
-      for (std::size_t k = 0; k < value.operands.size(); ++k) {
-        terms.emplace_back(value.factors[k], value.operands[k]);
-      }
+      Terms terms = terms_in(value);
       gather_momentum(terms);
       return algebra_.linear(terms);
     }

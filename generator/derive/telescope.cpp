@@ -1,5 +1,3 @@
-#include "derive/telescope.hpp"
-
 #include <algorithm>
 #include <array>
 #include <mutex>
@@ -8,6 +6,7 @@
 #include <ginac/ginac.h>
 
 #include "common/index.hpp"
+#include "derive/algebra.hpp"
 
 namespace treedyn::derive {
 namespace {
@@ -33,8 +32,7 @@ struct Chain {
   int father = -1;  ///< N w
 };
 
-std::optional<Chain> chain_of(const Values& values,
-                              const std::vector<std::pair<Ratio, int>>& terms) {
+std::optional<Chain> chain_of(const Values& values, const Terms& terms) {
   Chain chain;
   for (const auto& [factor, x] : terms) {
     if (values[x].op != Op::kSkewProduct) {
@@ -86,8 +84,7 @@ bool is_identity(const Shape& shape) {
 
 }  // namespace
 
-std::optional<int> telescopes(const Values& values,
-                              const std::vector<std::pair<Ratio, int>>& terms) {
+std::optional<int> telescopes(const Values& values, const Terms& terms) {
   const std::optional<Chain> chain = chain_of(values, terms);
   if (!chain) {
     return std::nullopt;

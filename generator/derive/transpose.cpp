@@ -1,10 +1,9 @@
-#include "derive/transpose.hpp"
-
 #include <algorithm>
 #include <array>
 #include <map>
 
 #include "derive/algebra.hpp"
+#include "derive/forms.hpp"
 
 namespace treedyn::derive {
 namespace {

@@ -27,6 +27,23 @@ std::string key_of(const Value& value) {
 
 }  // namespace
 
+Terms terms_in(const Value& sum) {
+  Terms terms;
+  for (std::size_t k = 0; k < sum.operands.size(); ++k) {
+    terms.emplace_back(sum.factors[k], sum.operands[k]);
+  }
+  return terms;
+}
+
+Value plain_sum(const Terms& terms, Set set, Type type) {
+  Value sum{Op::kLinear, set, type, {}, 0, {}, {}};
+  for (const auto& [factor, x] : terms) {
+    sum.operands.push_back(x);
+    sum.factors.push_back(factor);
+  }
+  return sum;
+}
+
 int Values::intern(Value value) {
   if (++asked_ > kMostAsked) {
     throw TooLarge(fmt::format(

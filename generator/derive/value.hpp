@@ -86,6 +86,12 @@ struct Value {
   std::vector<Ratio> factors;  ///< kLinear
 };
 
+using Terms = std::vector<std::pair<Ratio, int>>;
+
+/// Those of a sum, and a sum of some, as they stand.
+Terms terms_in(const Value& sum);
+Value plain_sum(const Terms& terms, Set set, Type type);
+
 /// What the equations leave open.
 struct Choices {
   bool keeps_joints = true;   ///< P_i of a sliding joint keeps its place: l has the slide, not s

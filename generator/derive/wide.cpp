@@ -55,13 +55,8 @@ int Columns::met(const Expression& e, int x, int c) {
       return met(factors.front(), x, c);
     case block::Kind::kScaled:
       return algebra_.linear({{e.node().factor, met(factors.front(), x, c)}});
-    case block::Kind::kSum: {
-      Terms terms;
-      for (const Expression& term : factors) {
-        terms.emplace_back(Ratio{}, met(term, x, c));
-      }
-      return algebra_.linear(terms);
-    }
+    case block::Kind::kSum:
+      return of_terms(factors, [&](const Expression& term) { return met(term, x, c); });
     case block::Kind::kProduct: {
       auto first = factors.begin();
       for (std::optional<int> rows = x; (rows = wide(*first, true, x)); ++first) {

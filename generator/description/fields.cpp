@@ -1,7 +1,5 @@
 #include "description/fields.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

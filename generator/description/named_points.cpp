@@ -8,7 +8,6 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "common/transformed.hpp"
 #include "description/identifiers.hpp"
 #include "description/read.hpp"
 #include "description/vectors.hpp"
@@ -27,14 +26,9 @@ model::Point on_frame(const std::string& name, const model::Frame& frame, const 
   return {name, to_identifier(name), frame.name, frame.link, frame.origin + moved, frame.rotation};
 }
 
-/// "a, b, c", shortened.
-std::string some_names(std::vector<std::string_view> all) {
-  constexpr std::size_t kMost = 8;
+std::string some_sorted(std::vector<std::string_view> all) {
   std::ranges::sort(all);
-  const bool more = all.size() > kMost;
-  all.resize(std::min(all.size(), kMost));
-  const std::vector<std::string> names = transformed(all, shown);
-  return fmt::format("{}{}", fmt::join(names, ", "), more ? ", .." : "");
+  return some_names(all);
 }
 
 /// What is wrong with a link that is none of the model's frames.
@@ -46,7 +40,7 @@ std::string unknown_link(const model::Tree& tree, std::string_view point, std::s
   }
   return fmt::format("point '{}': link '{}' is unknown{}; expected one of {}", shown(point),
                      shown(name), did_you_mean(name, names_of(tree.frames)),
-                     some_names(names_of(tree.frames)));
+                     some_sorted(names_of(tree.frames)));
 }
 
 /// The elements of `--points`, one at a time.
@@ -123,7 +117,7 @@ class PointList {
       const std::vector<std::string_view> links = names_of(tree_.frames);
       known.insert(known.end(), links.begin(), links.end());
       fail(fmt::format("'{}' is neither a point nor a link of the model{}; expected one of {}",
-                       shown(name), did_you_mean(name, known), some_names(known)));
+                       shown(name), did_you_mean(name, known), some_sorted(known)));
     }
   }
 

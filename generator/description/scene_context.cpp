@@ -18,17 +18,6 @@ namespace {
 using model::Quantity;
 using model::Variable;
 
-/// "a, b, ..", at most eight.
-template <class List, class Name>
-std::string some_of(const List& list, const Name& name) {
-  constexpr std::size_t kMost = 8;
-  std::string result;
-  for (std::size_t k = 0; k < std::min(list.size(), kMost); ++k) {
-    result += fmt::format("{}{}", k == 0 ? "" : ", ", shown(name(list[k])));
-  }
-  return list.size() > kMost ? result + ", .." : result;
-}
-
 /// A point of a link of the file. \param at  in the frame of this link
 model::Point point_of_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
   return {name,
@@ -126,10 +115,7 @@ int SceneContext::joint(const Fields& fields, const Text& name) const {
     fields.fail(name.where,
                 fmt::format("joint '{}' is no joint of the model that moves by itself{}; expected "
                             "one of {}",
-                            shown(name.text), did_you_mean(name.text, names),
-                            some_of(tree.coordinates, [&](int link) {
-                              return tree.links[static_cast<std::size_t>(link)].joint.name;
-                            })));
+                            shown(name.text), did_you_mean(name.text, names), some_names(names)));
   }
   return *found;
 }
@@ -154,11 +140,10 @@ void SceneContext::define_points(const SceneFields& root) {
     const Text link = point.text("link");
     const model::Frame* const frame = find_frame(scene_.tree, link.text);
     if (frame == nullptr) {
-      point.fail(
-          link.where,
-          fmt::format("link '{}' is not in the model{}; expected one of {}", shown(link.text),
-                      did_you_mean(link.text, names_of(scene_.tree.frames)),
-                      some_of(scene_.tree.frames, [](const model::Frame& f) { return f.name; })));
+      point.fail(link.where, fmt::format("link '{}' is not in the model{}; expected one of {}",
+                                         shown(link.text),
+                                         did_you_mean(link.text, names_of(scene_.tree.frames)),
+                                         some_names(names_of(scene_.tree.frames))));
     }
     model::Point defined = point_of_frame(name.text, *frame, point.vector_or("at", {}));
     if (const std::optional<model::Point> other = of_model(name.text);

@@ -95,7 +95,7 @@ Spatial to_link(const model::Joint& joint, const Real& q) {
   const Vector3& a = joint.axis;
   Matrix3 r = joint.rotation;
   Vector3 origin = joint.offset;
-  if (joint.type == model::JointType::kRevolute) {
+  if (joint.turns()) {
     const Real s = sin(q);
     const Real v = 1 - cos(q);
     const Matrix3 l = skew(a);
@@ -118,8 +118,7 @@ Spatial to_link(const model::Joint& joint, const Real& q) {
 
 Motion joint_motion(const model::Joint& joint) {
   const Vector3& a = joint.axis;
-  return joint.type == model::JointType::kRevolute ? Motion{a[0], a[1], a[2], 0, 0, 0}
-                                                   : Motion{0, 0, 0, a[0], a[1], a[2]};
+  return joint.turns() ? Motion{a[0], a[1], a[2], 0, 0, 0} : Motion{0, 0, 0, a[0], a[1], a[2]};
 }
 
 /// Takes the joint out of the articulated inertia: I - U U^T / d.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "common/decimal.hpp"
 #include "description/fields.hpp"
 
 namespace treedyn::description {

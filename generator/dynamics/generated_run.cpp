@@ -33,7 +33,7 @@ class Run {
         count_(std::lround(static_cast<double>(scene.duration) / h_)),
         output_step_(output_step),
         steps_(step.stepper().phases.size()) {
-    begin();
+    begin_motion(scene_, simulator_.q(), simulator_.qd(), step_);
   }
 
   /// Calls `show` with the reactions of every row of the table.
@@ -43,7 +43,6 @@ class Run {
   [[nodiscard]] GeneratedRun counted() const;
 
  private:
-  void begin();
   void place(long k, const Values& q, const Values& qd, int state);
   [[nodiscard]] std::vector<double> reactions(int state) const;
   void note_status(int status, double time);
@@ -65,8 +64,6 @@ class Run {
   std::vector<StatusRecord> statuses_;
   std::vector<program::StepCount> steps_;  ///< in each phase of the step
 };
-
-void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
 
 void Run::place(long k, const Values& q, const Values& qd, int state) {
   const formulate::PhaseState& now = states_[to_index(state)];

@@ -8,7 +8,6 @@
 #include "common/transformed.hpp"
 #include "engine/engine.hpp"
 #include "formulate/functions.hpp"
-#include "model/force_laws.hpp"
 #include "program/combine.hpp"
 #include "program/tape.hpp"
 

@@ -14,10 +14,7 @@ SharedLibrary::SharedLibrary(std::string what, const std::vector<emit::File>& fi
                              const std::vector<std::string>& options)
     : what_(std::move(what)) {
   const TemporaryFolder folder;
-  const auto path = [&](const std::string& name) {
-    return (folder.path() / name).string();
-  };
-  std::vector<std::string> command = find_compiler(path("version"));
+  std::vector<std::string> command = find_compiler(folder.file("version"));
   if (command.empty()) {
     throw InputError({}, what_ + ": no C++ compiler found; expected $CXX, c++, g++ or clang++");
   }
@@ -25,18 +22,18 @@ SharedLibrary::SharedLibrary(std::string what, const std::vector<emit::File>& fi
   command.insert(command.end(), options.begin(), options.end());
   std::vector<OutputFile> written;
   for (const emit::File& file : files) {
-    written.push_back({path(file.name), file.text});
+    written.push_back({folder.file(file.name), file.text});
     if (file.name.ends_with(".cpp")) {
-      command.push_back(path(file.name));
+      command.push_back(folder.file(file.name));
     }
   }
   write_files(written);
-  command.insert(command.end(), {"-o", path("library.so")});
-  if (!succeeds(command, path("log"))) {
+  command.insert(command.end(), {"-o", folder.file("library.so")});
+  if (!succeeds(command, folder.file("log"))) {
     throw InputError({},
                      what_ + ": the generated functions do not compile; expected a C++11 compiler");
   }
-  handle_ = ::dlopen(path("library.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+  handle_ = ::dlopen(folder.file("library.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle_ == nullptr) {
     throw InputError({}, what_ + ": the compiled functions cannot be loaded");
   }

@@ -14,12 +14,6 @@ namespace treedyn::emit {
 
 namespace {
 
-/// A number with two digits, of normal size.
-std::string pivot_literal(double value, const Target& target) {
-  const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;
-  return literal(Real(fmt::format("{:.1e}", std::max(value, least))), target.scalar);
-}
-
 std::string lost(const std::string& condition) {
   return fmt::format("failed |= {} ? status::rank_lost : 0;", condition);
 }
@@ -54,6 +48,11 @@ double pivot_rounding(int size, Scalar scalar) {
   return 4 * std::max(size, 2) * epsilon;
 }
 
+std::string short_literal(double value, const Target& target) {
+  const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;
+  return literal(Real(fmt::format("{:.1e}", std::max(value, least))), target.scalar);
+}
+
 std::vector<std::string> pivot_tests(const std::vector<program::Pivot>& pivots, int dof,
                                      const Target& target) {
   const double share = pivot_rounding(dof, target.scalar);
@@ -62,11 +61,11 @@ std::vector<std::string> pivot_tests(const std::vector<program::Pivot>& pivots, 
   for (std::size_t k = 0; k < pivots.size(); ++k) {
     const program::Pivot& pivot = pivots[k];
     const std::string value = fmt::format("{}[{}]", program::kPivotArray, k);
-    const std::string least = pivot_literal(share * pivot.size, target);
+    const std::string least = short_literal(share * pivot.size, target);
     lines.push_back(lost(pivot.positive ? fmt::format("{} < {}", value, least)
                                         : fmt::format("{0} < {1} && {0} > -{1}", value, least)));
     if (pivot.whole != 0) {
-      lines.push_back(lost(fmt::format("{} < {} * {}[{}]", value, pivot_literal(share, target),
+      lines.push_back(lost(fmt::format("{} < {} * {}[{}]", value, short_literal(share, target),
                                        program::kWholeArray, whole++)));
     }
   }

@@ -24,6 +24,9 @@ Checked checked_sibling(const program::Function& function, std::vector<program::
 /// from.
 double pivot_rounding(int size, Scalar scalar);
 
+/// A positive number with two digits, of normal size.
+std::string short_literal(double value, const Target& target);
+
 /// Statements that add status::rank_lost to `failed` where a pivot has lost its digits: one
 /// comparison with a number, one with what the pivot is left of. \param dof  rows of A
 std::vector<std::string> pivot_tests(const std::vector<program::Pivot>& pivots, int dof,

@@ -72,9 +72,16 @@ namespace {
 /// Why lambda is not unique. Where drives are sought, an equation stands for a joint without one.
 std::string rank_text(const program::Staged& staged, const program::RowSolve& solve) {
   const bool drives = staged.signature.outputs.front().name == "tau";
-  return fmt::format("{} {} {} rank {}: lambda is of least norm.",
+  const std::string off =
+      solve.elsewhere > solve.rank
+          ? fmt::format(
+                " At positions to which no motion from where the scene begins leads they "
+                "have {}: row_given_up says so.",
+                solve.elsewhere)
+          : "";
+  return fmt::format("{} {} {} rank {}: lambda is of least norm.{}",
                      drives ? "The equations of the" : "The", solve.rows,
-                     drives ? "joints without a drive have" : "rows have", solve.rank);
+                     drives ? "joints without a drive have" : "rows have", solve.rank, off);
 }
 
 /// What it may return.

@@ -22,7 +22,7 @@ std::string joint_table(const model::Tree& tree) {
   std::vector<std::vector<std::string>> rows = {{"joint", "link", "index", "type", "unit"}};
   for (int k = 0; k < tree.dof(); ++k) {
     const model::Link& link = tree.moved_by(k);
-    const bool revolute = link.joint.type == model::JointType::kRevolute;
+    const bool revolute = link.joint.turns();
     rows.push_back({for_comment(link.joint.name, kLongestCell),
                     for_comment(link.name, kLongestCell), std::to_string(k),
                     revolute ? "revolute" : "prismatic", revolute ? "rad" : "m"});
@@ -206,7 +206,8 @@ std::string status_bits(const Unit& unit) {
 namespace status {{
 /// Rows depend on each other more than they do where the constraints hold: a singular position.
 {}constexpr int rank_lost = 1;
-/// A row's wanted acceleration (or velocity, or joint force) cannot be had beside the others'.
+/// A row's wanted acceleration (or velocity, or joint force) cannot be had beside the others', or
+/// more rows are independent than where the scene's rows hold.
 constexpr int row_given_up = 2;
 /// An iteration did not get there.
 constexpr int no_convergence = 4;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/transformed.hpp"
+
 namespace treedyn::emit {
 
 /// `text` in quotes: control characters escaped, bytes that are no UTF-8 replaced by U+FFFD.
@@ -21,6 +23,11 @@ std::string json_object(const std::vector<std::pair<std::string, std::string>>& 
 
 /// `[value, ...]` on one line.
 std::string json_list(const std::vector<std::string>& values);
+
+template <class List>
+std::string json_numbers(const List& values) {
+  return json_list(transformed(values, json_number));
+}
 
 /// The same, one value a line at the given indentation; "[]" if there is none.
 std::string json_lines(const std::vector<std::string>& values, int indentation);

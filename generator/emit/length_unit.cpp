@@ -1,6 +1,5 @@
 #include "emit/length_unit.hpp"
 
-#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -14,15 +13,6 @@ namespace treedyn::emit {
 namespace {
 
 constexpr std::size_t kLongestJointName = 60;
-
-/// Of what is named: angles, their speeds and accelerations (omega, alpha, Omega), moments (M, u)
-/// and inertias (I, E) know no length, as those of joints are masses times squared lengths and
-/// keep their unit.
-const std::map<std::string, std::string>& scaled_units() {
-  static const std::map<std::string, std::string> units = {
-      {"s", "L"}, {"a", "L/s^2"}, {"zeta", "L/s^2"}, {"F", "N m/L"}, {"h", "kg m^2/L"}};
-  return units;
-}
 
 std::set<std::string> symbols_of(const program::Function& function) {
   std::set<std::string> symbols;
@@ -43,9 +33,14 @@ std::string joint_name(const model::Tree& tree, int link) {
 
 }  // namespace
 
+// Angles, their speeds and accelerations (omega, alpha, Omega), moments (M, u) and inertias (I, E)
+// know no length, as those of joints are masses times squared lengths and keep their unit.
 std::string unit_in(const std::string& symbol) {
-  const auto found = scaled_units().find(symbol);
-  return found == scaled_units().end() ? std::string() : found->second;
+  return symbol == "s"                       ? "L"
+         : symbol == "a" || symbol == "zeta" ? "L/s^2"
+         : symbol == "F"                     ? "N m/L"
+         : symbol == "h"                     ? "kg m^2/L"
+                                             : "";
 }
 
 std::string unit_comment(const program::Function& function, const model::Tree& tree) {

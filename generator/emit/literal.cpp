@@ -19,15 +19,15 @@ std::string digits(const Real& value, T rounded, Scalar scalar) {
         value.convert_to<long double>(), type_name(scalar),
         scalar == Scalar::kFloat ? " or --scalar double" : ""));
   }
-  std::string text =
-      scalar == Scalar::kExtended ? fmt::format("{:.20e}", rounded) : fmt::format("{}", rounded);
-  if (text.find_first_of(".e") == std::string::npos) {
-    text += ".0";
-  }
-  return text;
+  return with_point(scalar == Scalar::kExtended ? fmt::format("{:.20e}", rounded)
+                                                : fmt::format("{}", rounded));
 }
 
 }  // namespace
+
+std::string with_point(const std::string& number) {
+  return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
+}
 
 std::string type_name(Scalar scalar) {
   return scalar == Scalar::kFloat ? "float" : scalar == Scalar::kDouble ? "double" : "long double";

@@ -52,6 +52,9 @@ int literal_width(const Real& value, Scalar scalar);
 /// True if the literal is that of 1.
 bool rounds_to_one(const Real& value, Scalar scalar);
 
+/// A number with a point or an exponent: no integer of a literal or a manifest.
+std::string with_point(const std::string& number);
+
 /// `value` in plain JSON and for the reader: shortest digits that read back as the same double.
 std::string decimal(const Real& value);
 

@@ -15,7 +15,7 @@ namespace {
 
 std::string joint_json(const model::Tree& tree, int k) {
   const model::Joint& joint = tree.moved_by(k).joint;
-  const bool revolute = joint.type == model::JointType::kRevolute;
+  const bool revolute = joint.turns();
   return json_object({{"name", json_string(joint.name)},
                       {"identifier", json_string(joint.identifier)},
                       {"index", std::to_string(k)},
@@ -97,14 +97,11 @@ std::string function_json(const program::Signature& signature, const Body& body,
 
 /// What rounding costs with the passes that were used, rounded up, and which were not.
 std::string rounding_json(const program::Rounding& rounding) {
-  const auto number = [](double factor) {  // with a point: a constant to `check`
-    const std::string text = fmt::format("{:.2g}", factor);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-  };
   if (rounding.amplification == 0) {
     return "";
   }
-  std::string result = fmt::format(",\n     \"rounding\": {}", number(rounding.amplification));
+  std::string result = fmt::format(",\n     \"rounding\": {}",
+                                   with_point(fmt::format("{:.2g}", rounding.amplification)));
   if (!rounding.left_out.empty()) {
     result += fmt::format(", \"rounding_without\": {}", json_list(json_strings(rounding.left_out)));
   }

@@ -133,8 +133,7 @@ std::string links_text(const std::vector<int>& links, const Vocabulary& words) {
     return fmt::format("{} to {} ({} links)", name(links.front()), name(links.back()),
                        links.size());
   }
-  const std::vector<std::string> names = transformed(links, name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", fmt::join(transformed(links, name), ", "));
 }
 
 /// "inertia zz of link3; mass, com of link4, link5; gravity".
@@ -257,8 +256,9 @@ std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {
                   "The numbers that functions take from the {0}, under the first link whose "
                   "inertia is in them; above each the numbers of the {0} that it is made of, but "
                   "for those that are exactly 0 or 1, behind its unit, which a length or mass of "
-                  "exactly 1 hides. Other literals are numbers of the equations.",
-                  has_scene ? "model and the scene" : "model"),
+                  "exactly 1 hides{1}. Other literals are numbers of the equations.",
+                  has_scene ? "model and the scene" : "model",
+                  has_scene ? "; those of the scene's own numbers have none" : ""),
               "// ");
   int link = kNoLink - 1;
   for (const Entry& entry : entries_) {

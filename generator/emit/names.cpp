@@ -243,6 +243,21 @@ void LocalNames::find_stems(const std::vector<Ref>& operations) {
   }
 }
 
+/// Made of time alone: no angle of a joint.
+bool LocalNames::is_of_time(Ref value) const {
+  const program::Graph& graph = function_.graph;
+  const std::vector<Ref> roots = {value};
+  int times = 0;
+  const bool others = std::ranges::any_of(program::reachable(graph, roots), [&](Ref k) {
+    const program::Node& node = graph.node(k);
+    const bool is_input = node.kind == Kind::kInput;
+    const bool is_time = is_input && function_.signature.inputs[to_index(node.a)].name == "t";
+    times += is_time ? 1 : 0;
+    return is_input && !is_time;
+  });
+  return times > 0 && !others;
+}
+
 std::string LocalNames::trigonometric(Ref value) const {
   const program::Node& node = function_.graph.node(value);
   const program::Node& angle = function_.graph.node(node.a);
@@ -259,6 +274,9 @@ std::string LocalNames::trigonometric(Ref value) const {
   }
   if (const std::string joints = this->angle(std::abs(node.a)); !joints.empty()) {
     return fmt::format("{}_{}", letter, joints);
+  }
+  if (is_of_time(std::abs(node.a))) {
+    return fmt::format("{}_t", letter);
   }
   const int body = function_.graph.hint(value).body;
   if (function_.graph.hint(value).symbol == nullptr && body >= 0) {

@@ -68,6 +68,7 @@ class LocalNames {
  private:
   static std::size_t index(program::Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
   [[nodiscard]] std::string hinted(program::Ref value) const;
+  [[nodiscard]] bool is_of_time(program::Ref value) const;
   [[nodiscard]] std::string trigonometric(program::Ref value) const;
   /// "joint2_joint3" of q[1] + q[2], "q1_q2" if that is too long; empty for what is no sum of q.
   [[nodiscard]] std::string angle(program::Ref value) const;

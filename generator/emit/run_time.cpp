@@ -1,7 +1,5 @@
 #include "emit/run_time.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "common/transformed.hpp"
@@ -107,16 +105,6 @@ std::string parameter_types(const Unit& unit) {
       derived_fields(unit));
 }
 
-namespace {
-
-/// With a point or an exponent: integers of a manifest are counts.
-std::string with_point(const Real& value) {
-  const std::string text = decimal(value);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-}  // namespace
-
 std::string parameters_json(const model::Tree& tree, const model::Vector3& gravity) {
   if (tree.parameters.empty()) {
     return {};
@@ -130,7 +118,7 @@ std::string parameters_json(const model::Tree& tree, const model::Vector3& gravi
                      {"declared", json_string(parameter.declared)},
                      {"link", json_string(model::link_name(tree, parameter))},
                      {"unit", json_string(model::unit(parameter))},
-                     {"nominal", with_point(model::nominal(tree, gravity, parameter))}}));
+                     {"nominal", with_point(decimal(model::nominal(tree, gravity, parameter)))}}));
   }
   return fmt::format(",\n  \"parameters\": {}", json_lines(rows, 4));
 }

@@ -61,16 +61,16 @@ double lost(const RowSolve& solve, const Target& target) {
   return solve.passes && target.scalar == Scalar::kFloat ? 5e-4 : 0;
 }
 
+/// Part that a pivot has to exceed of what rounding makes it uncertain by; 0 if a tolerance is
+/// given.
+double rounding(const RowSolve& solve, const Target& target) {
+  return solve.tolerance > 0 ? 0 : pivot_rounding(solve.rows, target.scalar);
+}
+
 /// Multiple of its own diagonal entry that a pivot has to exceed.
 double tolerance(const RowSolve& solve, const Target& target) {
   return solve.tolerance > 0 ? solve.tolerance
-                             : std::max(pivot_rounding(solve.rows, target.scalar),
-                                        lost(solve, target) * solve.least);
-}
-
-/// A number with two digits.
-std::string short_literal(double value, const Target& target) {
-  return literal(Real(fmt::format("{:.1e}", value)), target.scalar);
+                             : std::max(rounding(solve, target), lost(solve, target) * solve.least);
 }
 
 /// Multiple of its row's size that a diagonal entry has to exceed; a row's length is its root.
@@ -79,19 +79,24 @@ double vanishing(const RowSolve& solve, const Target& target) {
   return std::max(solve.tolerance > 0 ? solve.tolerance : lost(solve, target), rounded);
 }
 
-/// What the diagonal entry of a row has to exceed.
-std::string least_entry(const RowSolve& solve, std::size_t row, const Target& target) {
-  const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;  // of normal numbers
-  return short_literal(std::max(vanishing(solve, target) * solve.sizes[row], least), target);
-}
-
-/// Pivot k is safe.
+/// Pivot k is safe. It is v^T K v, v = (-w, 1) with w = K^-1 k of the rows before: entries that are
+/// off by e sqrt(K_ii K_jj) make it off by (k + 1) e times the sum of v_i^2 K_ii. With ones on the
+/// diagonal this is below 1 + 1 / (least eigenvalue) < 1 + 2.72 / (product of the pivots before).
 std::string pivot_test(const RowSolve& solve, std::size_t k, const Target& target) {
   const std::size_t diagonal = k * (k + 3) / 2;
-  const std::string least = fmt::format("K[{}] > {}", diagonal, least_entry(solve, k, target));
-  return k == 0 ? least
-                : fmt::format("{} && d[{}] > {} * K[{}]", least, k,
-                              short_literal(tolerance(solve, target), target), diagonal);
+  const double vanished = vanishing(solve, target) * solve.sizes[k];
+  std::string result = fmt::format("K[{}] > {}", diagonal, short_literal(vanished, target));
+  const double part = tolerance(solve, target);
+  const double rounded = rounding(solve, target);
+  const auto add = [&](bool needed, double share, const std::string& whole) {
+    if (k > 0 && needed) {
+      result += fmt::format(" && d[{}] > {} * {}", k, short_literal(share, target), whole);
+    }
+  };
+  const std::string own = fmt::format("K[{}]", diagonal);
+  add(part > rounded, part, own);
+  add(rounded > 0, rounded, k > 1 ? fmt::format("{}[{}]", program::kWholeArray, k - 2) : own);
+  return result;
 }
 
 /// The unrolled elimination, which gives up at the first pivot that may be zero.
@@ -104,6 +109,8 @@ std::string regular_text(const RowSolve& solve, const std::string& name, const T
                  "  return false;", "}"};
   };
   Lines lines = {fmt::format("Scalar d[{}];", solve.rows)};
+  append_if(lines, solve.rows > 2,
+            fmt::format("Scalar {}[{}];", program::kWholeArray, solve.rows - 2));
   append(lines, whole_text(function.signature, name, text, test).lines);
   lines.push_back("return true;");
   return fmt::format(
@@ -125,6 +132,7 @@ std::vector<std::string> deficient_lines(const RowSolve& solve, const Target& ta
           declaration(fmt::format("return solve_deficient_{}", solve.rows),
                       {std::to_string(solve.rank), "weights",
                        short_literal(tolerance(solve, target), target),
+                       short_literal(rounding(solve, target), target),
                        short_literal(vanishing(solve, target), target), "K", "b", "x"},
                       ";")};
 }
@@ -147,12 +155,13 @@ std::string deficient_text(int rows, const Target& target) {
   const std::string type = type_name(target.scalar);
   return fill(
       template_text("solve_rows.cpp"),
-      {{"declaration",
-        declaration(fmt::format("[[gnu::noinline]] int solve_deficient_{}", rows),
-                    {"int expected", fmt::format("const {}* weights", type), type + " tolerance",
-                     type + " vanishing", "const Scalar* K", "const Scalar* b", "Scalar* x"},
-                    " noexcept {")},
+      {{"declaration", declaration(fmt::format("[[gnu::noinline]] int solve_deficient_{}", rows),
+                                   {"int expected", fmt::format("const {}* weights", type),
+                                    type + " tolerance", type + " rounding", type + " vanishing",
+                                    "const Scalar* K", "const Scalar* b", "Scalar* x"},
+                                   " noexcept {")},
        {"rows", std::to_string(rows)},
+       {"independent", single ? "1e-5f" : "1e-5"},
        {"given_up", single ? "0.01f" : "0.01"},
        {"rounding", single ? "1e-5f" : "1e-13"},
        {"given_up_least", single ? "1e-3f" : "1e-6"}});
@@ -196,7 +205,7 @@ std::vector<std::string> press_lines(const Staged& staged) {
     std::vector<std::string> passed;
     const program::Signature& signature = staged.contacts[k].signature;
     std::ranges::transform(signature.arrays(), std::back_inserter(passed), &program::Array::name);
-    lines.push_back(fmt::format("if ({}[{}] > Scalar(0)) {{", program::kDepthArray, k));
+    lines.push_back(fmt::format("if (!({}[{}] < Scalar(0))) {{", program::kDepthArray, k));
     append_if(lines, staged.tells,
               fmt::format("  treedyn_again({});",
                           static_cast<std::size_t>(program::Repeated::kPress) + k));
@@ -208,8 +217,7 @@ std::vector<std::string> press_lines(const Staged& staged) {
 
 /// Nothing presses: every output is zero.
 std::vector<std::string> return_lines(const Staged& staged) {
-  std::vector<std::string> lines = {
-      fmt::format("if (!({}[0] > Scalar(0))) {{", program::kDepthArray)};
+  std::vector<std::string> lines = {fmt::format("if ({}[0] < Scalar(0)) {{", program::kDepthArray)};
   for (const program::Array& array : staged.signature.outputs) {
     for (int k = 0; k < array.size; ++k) {
       lines.push_back(fmt::format("  {}[{}] = Scalar(0);", array.name, k));

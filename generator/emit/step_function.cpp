@@ -6,7 +6,6 @@
 
 #include "emit/layout.hpp"
 #include "emit/parts.hpp"
-#include "emit/sincos.hpp"
 #include "emit/staged_text.hpp"
 #include "emit/step_events.hpp"
 #include "emit/step_integrate.hpp"

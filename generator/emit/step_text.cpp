@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "emit/layout.hpp"
-#include "emit/names.hpp"
 #include "emit/run_time.hpp"
 
 namespace treedyn::emit {

@@ -1,6 +1,6 @@
 #include "engine/engine.hpp"
 
-#include "engine/members.hpp"
+#include "engine/implementation.hpp"
 
 namespace treedyn::engine {
 

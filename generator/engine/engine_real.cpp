@@ -2,7 +2,7 @@
 #include "common/real.hpp"
 #include "engine/eigen_real.hpp"
 #include "engine/engine.hpp"
-#include "engine/members.hpp"
+#include "engine/implementation.hpp"
 
 namespace treedyn::engine {
 

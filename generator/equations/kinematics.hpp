@@ -61,9 +61,9 @@ Constants<Scalar> constants_of(const model::Tree& tree, std::span<const model::P
   Constants<Scalar> result;
   for (const model::Link& link : tree.links) {
     result.links.push_back(
-        {link.father, link.joint.type == model::JointType::kRevolute,
-         vector3<Scalar>(link.joint.axis, convert), vector3<Scalar>(link.joint.offset, convert),
-         vector3<Scalar>(link.inertia.com, convert), matrix3<Scalar>(link.joint.rotation, convert),
+        {link.father, link.joint.turns(), vector3<Scalar>(link.joint.axis, convert),
+         vector3<Scalar>(link.joint.offset, convert), vector3<Scalar>(link.inertia.com, convert),
+         matrix3<Scalar>(link.joint.rotation, convert),
          matrix3<Scalar>(link.inertia.about_com, convert), convert(link.inertia.mass)});
   }
   for (const model::Point& point : points) {

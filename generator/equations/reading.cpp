@@ -65,7 +65,7 @@ JointKinds kinds_of(const model::Tree& tree) {
   }
   JointKinds kinds{false, false};
   for (const model::Link& link : tree.links) {
-    (link.joint.type == model::JointType::kRevolute ? kinds.revolute : kinds.prismatic) = true;
+    (link.joint.turns() ? kinds.revolute : kinds.prismatic) = true;
   }
   return kinds;
 }

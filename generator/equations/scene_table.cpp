@@ -24,8 +24,9 @@ const std::vector<SceneFunctionInfo>& scene_function_infos() {
        "q̈"},
       {"constrained_inverse_dynamics",
        "(8),(12)",
-       "Joint forces and reactions that make a motion; joints without a drive get none where "
-       "reactions can do without.",
+       "Joint forces, on top of the scene's own, and reactions that make a motion; joints without "
+       "a "
+       "drive get none where reactions can do without.",
        {constrained_inverse_dynamics().passive, constrained_inverse_dynamics().drives},
        "",
        "τ"},

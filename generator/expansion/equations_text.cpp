@@ -59,7 +59,7 @@ std::string links_text(const model::Tree& tree) {
   std::string result;
   for (const model::Link& link : tree.links) {
     const bool ground = link.father == model::kGround;
-    const bool revolute = link.joint.type == model::JointType::kRevolute;
+    const bool revolute = link.joint.turns();
     result += fmt::format("  {}  {}  {}  father {}\n", &link - tree.links.data(),
                           link.joint.identifier, revolute ? "revolute" : "prismatic",
                           ground ? "ground" : tree.links[to_index(link.father)].joint.identifier);
@@ -68,7 +68,7 @@ std::string links_text(const model::Tree& tree) {
 }
 
 std::string pattern_text(const block::Pattern& pattern, int most_blocks) {
-  std::string head = fmt::format("  blocks that are not zero: {} of {}\n", pattern.blocks(),
+  std::string head = fmt::format("  blocks that D leaves: {} of {}\n", pattern.blocks(),
                                  static_cast<long long>(pattern.rows()) * pattern.cols());
   if (pattern.cols() == 1 || pattern.cols() > most_blocks || pattern.rows() > most_blocks) {
     return head;

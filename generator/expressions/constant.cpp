@@ -6,8 +6,8 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "expressions/constant_table.hpp"
 #include "expressions/exact.hpp"
+#include "expressions/parser.hpp"
 #include "expressions/read_expression.hpp"
 
 namespace treedyn::expressions {

@@ -200,14 +200,7 @@ bool is_constant(const GiNaC::ex& value) {
 }
 
 Exact parse(std::string_view text, const Names& names, const Variables* variables) {
-  const Precision precision;
-  try {
-    return Parser(text, names, variables).whole();
-  } catch (const TextError&) {
-    throw;
-  } catch (const std::exception& problem) {  // GiNaC: poles; CLN: overflow
-    throw unreadable(text, problem);
-  }
+  return guarded(text, [&] { return Parser(text, names, variables).whole(); });
 }
 
 TextError unreadable(std::string_view text, const std::exception& problem) {

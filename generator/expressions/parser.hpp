@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <ginac/ginac.h>
 
 #include "expressions/constant.hpp"
+#include "expressions/exact.hpp"
 
 namespace treedyn::expressions {
 
@@ -20,6 +22,19 @@ struct Exact {
 };
 
 using Names = std::map<std::string, Exact, std::less<>>;
+
+/// The parameters behind `Constants`.
+struct Constants::Table {
+  /// Stands as a symbol among `names`.
+  struct AtRunTime {
+    std::string name;
+    GiNaC::realsymbol symbol;
+    Real number;
+  };
+
+  Names names;
+  std::vector<AtRunTime> at_run_time;
+};
 
 /// Names beyond parameters: `name` or `name[index]`.
 class Variables {
@@ -43,5 +58,18 @@ Exact parse(std::string_view text, const Names& names, const Variables* variable
 
 /// What GiNaC or CLN refused, as a mistake in the expression.
 TextError unreadable(std::string_view text, const std::exception& problem);
+
+/// Everything that GiNaC or CLN may throw of an expression, as a mistake in it.
+template <class Read>
+auto guarded(std::string_view text, const Read& read) {
+  const Precision precision;
+  try {
+    return read();
+  } catch (const TextError&) {
+    throw;
+  } catch (const std::exception& problem) {  // GiNaC: poles; CLN: overflow
+    throw unreadable(text, problem);
+  }
+}
 
 }  // namespace treedyn::expressions

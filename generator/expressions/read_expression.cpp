@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "expressions/constant_table.hpp"
 #include "expressions/exact.hpp"
 #include "expressions/parser.hpp"
 
@@ -279,19 +278,6 @@ Sizes sizes_of(const GiNaC::ex& value) {
     sum = {sum.value, n * sum.value + sum.rate, n * n * sum.value + 2 * n * sum.rate + sum.second};
   }
   return sum;
-}
-
-/// Everything that GiNaC or CLN may throw of an expression, as a mistake in it.
-template <class Read>
-auto guarded(std::string_view text, const Read& read) {
-  const Precision precision;
-  try {
-    return read();
-  } catch (const TextError&) {
-    throw;
-  } catch (const std::exception& problem) {
-    throw unreadable(text, problem);
-  }
 }
 
 }  // namespace

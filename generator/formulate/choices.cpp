@@ -2,19 +2,16 @@
 
 #include <cstdint>
 #include <numeric>
+#include <type_traits>
 
 namespace treedyn::formulate {
 
 namespace {
 
-template <auto field, class Enum>
-void set_enum(Variant& variant, const Choice& choice, int setting) {
-  set_links(variant, choice.links, field, static_cast<Enum>(setting));
-}
-
 template <auto field>
-void set_flag(Variant& variant, const Choice& choice, int setting) {
-  set_links(variant, choice.links, field, setting != 0);
+void set_field(Variant& variant, const Choice& choice, int setting) {
+  using Value = decltype(LinkVariant{}.*field);
+  set_links(variant, choice.links, field, static_cast<std::remove_reference_t<Value>>(setting));
 }
 
 constexpr int kCuts = 4;
@@ -42,22 +39,16 @@ void add_link_choices(const Freedom& freedom, const Options& options, const std:
   const bool runs = options.has(Pass::kParallel);
   const bool frames = options.has(Pass::kNormals);
   const bool gauges = freedom.regrouping && options.has(Pass::kRegrouping);
-  add(parallel && runs, 2, set_flag<&LinkVariant::merge_parallel>);
+  add(parallel && runs, 2, set_field<&LinkVariant::merge_parallel>);
   add(runs, kCuts, set_cut);
-  add(frames, 4, set_enum<&LinkVariant::angle, FrameAngle>);
-  add(frames && !freedom.fixed_frames, 4, set_enum<&LinkVariant::slide, Slide>);
-  add(gauges, 6, set_enum<&LinkVariant::mass, MassGauge>);
-  add(gauges, 4, set_enum<&LinkVariant::tensor, TensorGauge>);
+  add(frames, 4, set_field<&LinkVariant::angle>);
+  add(frames && !freedom.fixed_frames, 4, set_field<&LinkVariant::slide>);
+  add(gauges, 6, set_field<&LinkVariant::mass>);
+  add(gauges, 4, set_field<&LinkVariant::tensor>);
   add(freedom.moment_form && options.has(Pass::kColumn), 2,
-      set_flag<&LinkVariant::column_of_father>);
+      set_field<&LinkVariant::column_of_father>);
   add(freedom.moment_form && options.has(Pass::kPseudoInertia), 2,
-      set_flag<&LinkVariant::tensor_moment>);
-}
-
-/// True if the unit of length may change the cost.
-bool chooses_unit(const Freedom& freedom, const Options& options) {
-  return freedom.regrouping && !freedom.fixed_length && options.has(Pass::kRegrouping) &&
-         options.has(Pass::kSearch);
+      set_field<&LinkVariant::tensor_moment>);
 }
 
 void add_global_choices(const model::Tree& tree, const Freedom& freedom, const Options& options,
@@ -67,7 +58,8 @@ void add_global_choices(const model::Tree& tree, const Freedom& freedom, const O
       choices.push_back({settings, {}, change});
     }
   };
-  const bool units = chooses_unit(freedom, options) && !options.metres;
+  const bool units = freedom.regrouping && !freedom.fixed_length &&
+                     options.has(Pass::kRegrouping) && !options.metres;
   const int lengths = units ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
   add(true, lengths, [](Variant& v, const Choice&, int k) { v.unit_length = k; });
   add(freedom.tensor_form && options.has(Pass::kPseudoInertia), 2,

@@ -7,7 +7,7 @@
 
 #include "common/index.hpp"
 #include "common/transformed.hpp"
-#include "derive/rate.hpp"
+#include "derive/derive.hpp"
 #include "derive/words.hpp"
 #include "equations/table.hpp"
 #include "formulate/lowering.hpp"

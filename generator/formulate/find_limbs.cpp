@@ -9,7 +9,7 @@ std::vector<std::string> subtree_shapes(const model::Tree& tree) {
   const std::vector<std::vector<int>> sons = model::sons(tree);
   std::vector<std::string> shape(sons.size());
   for (std::size_t i = sons.size(); i-- > 0;) {
-    shape[i] = tree.links[i].joint.type == model::JointType::kRevolute ? "(r" : "(p";
+    shape[i] = tree.links[i].joint.turns() ? "(r" : "(p";
     for (const int son : sons[i]) {
       shape[i] += shape[static_cast<std::size_t>(son)];
     }

@@ -52,7 +52,7 @@ NormalTree at_joints(const model::Tree& tree, const Vector3& gravity) {
     const model::Link& source = tree.links[to_index(i)];
     NormalLink made;
     made.father = source.father;
-    made.revolute = source.joint.type == model::JointType::kRevolute;
+    made.revolute = source.joint.turns();
     const Matrix3 p = frame_with_z(source.joint.axis);
     const bool root = source.father == model::kGround;
     const Matrix3 father = root ? identity() : frame[to_index(source.father)];

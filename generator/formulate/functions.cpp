@@ -1,7 +1,5 @@
 #include "formulate/functions.hpp"
 
-#include <algorithm>
-
 #include "model/scene.hpp"
 #include "optimise/optimise.hpp"
 #include "program/canonical.hpp"

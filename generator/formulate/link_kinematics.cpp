@@ -281,18 +281,12 @@ std::vector<PlaneRotation> Kinematics::turn_of_frame(int i) const {
   return steps;
 }
 
-Vec3 Kinematics::in_frame(int i, Vec3 v) const {
-  for (const PlaneRotation& step : turn_of_frame(i)) {
-    v = step.forward(v);
-  }
-  return v;
+Vec3 Kinematics::in_frame(int i, const Vec3& v) const {
+  return turned(turn_of_frame(i), v, &PlaneRotation::forward);
 }
 
-Mat3 Kinematics::in_frame_symmetric(int i, Mat3 m) const {
-  for (const PlaneRotation& step : turn_of_frame(i)) {
-    m = step.forward_symmetric(m);
-  }
-  return m;
+Mat3 Kinematics::in_frame_symmetric(int i, const Mat3& m) const {
+  return turned(turn_of_frame(i), m, &PlaneRotation::forward_symmetric);
 }
 
 const Kinematics::Body& Kinematics::body(int i) const {

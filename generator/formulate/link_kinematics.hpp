@@ -138,8 +138,8 @@ class Kinematics {
   using Bodies = std::map<int, Body>;
   const Body& written(int i, Bodies& bodies, Matrix3 (*tensor)(const NormalLink&)) const;
   /// Vectors and symmetric tensors of the normal frame of link i in its expression frame.
-  [[nodiscard]] Vec3 in_frame(int i, Vec3 v) const;
-  [[nodiscard]] Mat3 in_frame_symmetric(int i, Mat3 m) const;
+  [[nodiscard]] Vec3 in_frame(int i, const Vec3& v) const;
+  [[nodiscard]] Mat3 in_frame_symmetric(int i, const Mat3& m) const;
   [[nodiscard]] std::vector<PlaneRotation> turn_of_frame(int i) const;
   [[nodiscard]] Angle joint_angle(int i) const;
   /// The number of link i, given those of its peers: a leaf where they are not all the same.

@@ -71,16 +71,9 @@ Block Lowering::pseudo(const Value& v, int e) const {
   if (value(I).op != derive::Op::kComposite) {
     return {{}, {}, {e, pseudo_inertia(e)}};
   }
-  Mat3 E = of(I, e).tensor.value;
   const auto sums = pseudo_.find(I);
-  if (sums != pseudo_.end()) {
-    return {{}, {}, {home(block::Set::kLinks, e), sums->second[to_index(e)]}};
-  }
-  const Expr half_trace = number(Real("0.5")) * (E[0][0] + E[1][1] + E[2][2]);
-  for (std::size_t k = 0; k < kSize; ++k) {
-    E[k] = -E[k];
-    E[k][k] += half_trace;
-  }
+  const Mat3 E = sums != pseudo_.end() ? sums->second[to_index(e)]
+                                       : pseudo_inertia_of(graph(), of(I, e).tensor.value);
   return {{}, {}, {home(block::Set::kLinks, e), E}};
 }
 

@@ -116,13 +116,7 @@ Mat3 Lowering::pseudo_inertia(int e) const {
   if (function_.regroups) {
     return task_.kinematics.body(e).pseudo;
   }
-  Mat3 E = tensor_about_joint(e);
-  const Expr trace = number(Real("0.5")) * (E[0][0] + E[1][1] + E[2][2]);
-  for (std::size_t row = 0; row < 3; ++row) {
-    E[row] = -E[row];
-    E[row][row] += trace;
-  }
-  return E;
+  return pseudo_inertia_of(graph(), tensor_about_joint(e));
 }
 
 /// The symbols of EQUATIONS.md 1: axes and centres in the link, s in the father. Where the places

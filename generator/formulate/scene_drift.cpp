@@ -145,7 +145,8 @@ class Drift {
 
 }  // namespace
 
-std::vector<Expr> anchors_now(const Task& task, const SceneForces& forces) {
+std::vector<Expr> build_anchors(const Task& task) {
+  const SceneForces forces(task, {.qd = -1, .tau = -1, .t = 1});
   std::vector<Expr> result;
   for (int c = 0; c < static_cast<int>(task.options.scene->constraints.size()); ++c) {
     const std::vector<Expr> now = Drift(task, forces, c, -1).now();

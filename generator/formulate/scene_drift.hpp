@@ -8,9 +8,8 @@
 
 namespace treedyn::formulate {
 
-/// The anchors of all constraints as they are now: values of q, and of t where a curve has an
-/// anchor.
-std::vector<Expr> anchors_now(const Task& task, const SceneForces& forces);
+/// The anchors of all constraints as they are now. Input arrays: q, and t if a curve has an anchor.
+std::vector<Expr> build_anchors(const Task& task);
 
 /// For every row of a held constraint -2 alpha (J qd - c') - alpha^2 phi with its position error
 /// phi, 6.2; base frame, along its directions.

@@ -7,7 +7,6 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
-#include "common/transformed.hpp"
 #include "formulate/derived.hpp"
 #include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"

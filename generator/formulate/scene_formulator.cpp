@@ -175,7 +175,8 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
                                   {q(), qd(), tau}, {qdd});
   if (r == 0) {
     staged.signature.equation = "(8)";
-    staged.signature.brief = "Joint accelerations of the scene.";
+    staged.signature.brief =
+        "Joint accelerations; tau comes on top of the scene's own joint forces.";
   }
   program::Signature& inner = staged.function.signature;
   inner = staged.signature;
@@ -251,7 +252,7 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
     add_least_reactions(options.active, staged);
   } else {
     staged.signature.equation = "(8)";
-    staged.signature.brief = "Joint forces that make a motion.";
+    staged.signature.brief = "Joint forces, on top of the scene's own, that make a motion.";
   }
   if (!scene_.contacts.empty()) {
     inner.inputs.push_back({program::kForceArray, dof_, kForceUnit});

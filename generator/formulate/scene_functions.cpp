@@ -7,7 +7,6 @@
 #include "common/index.hpp"
 #include "common/parallel.hpp"
 #include "common/transformed.hpp"
-#include "formulate/constrained.hpp"
 #include "formulate/constrained_inverse.hpp"
 #include "formulate/scene_formulator.hpp"
 #include "formulate/scene_names.hpp"

@@ -4,7 +4,6 @@
 
 #include "common/index.hpp"
 #include "formulate/geometry.hpp"
-#include "formulate/scene_drift.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {
@@ -80,10 +79,6 @@ std::vector<Expr> build_approaches(const Task& task) {
     result.push_back(dot(constant(task.kinematics.graph(), event.plane.normal), v));
   }
   return result;
-}
-
-std::vector<Expr> build_anchors(const Task& task) {
-  return anchors_now(task, SceneForces(task, kAnchorArrays));
 }
 
 bool anchors_use_time(const model::Scene& scene) {

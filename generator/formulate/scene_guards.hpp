@@ -24,9 +24,6 @@ std::vector<Expr> build_guards(const Task& task);
 /// arrays: q, qd.
 std::vector<Expr> build_approaches(const Task& task);
 
-/// The anchors of all constraints as they are now. Input arrays: q, and t if a curve has an anchor.
-std::vector<Expr> build_anchors(const Task& task);
-inline constexpr SceneArrays kAnchorArrays = {.qd = -1, .tau = -1, .t = 1};
 /// True if some anchor depends on time.
 bool anchors_use_time(const model::Scene& scene);
 

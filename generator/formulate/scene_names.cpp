@@ -95,22 +95,15 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
   return result;
 }
 
-namespace {
-
-bool turns(const model::Scene& scene, int coordinate) {
-  return scene.tree.moved_by(coordinate).joint.type == model::JointType::kRevolute;
-}
-
-}  // namespace
-
 std::vector<std::string> row_names(const model::Scene& scene, const std::vector<int>& active) {
   std::vector<std::string> names;
   for (const int c : active) {
     const model::Constraint& constraint = scene.constraints[static_cast<std::size_t>(c)];
     const bool turning = constraint.kind == model::ConstraintKind::kOrientation;
     if (constraint.kind == model::ConstraintKind::kJoint) {
-      names.push_back(fmt::format("{}: {} of the joint", constraint.name,
-                                  turns(scene, constraint.joint) ? "moment" : "force"));
+      names.push_back(
+          fmt::format("{}: {} of the joint", constraint.name,
+                      scene.tree.moved_by(constraint.joint).joint.turns() ? "moment" : "force"));
     }
     for (const model::Vector3& d : constraint.directions) {
       names.push_back(fmt::format("{}: {} {}", constraint.name,

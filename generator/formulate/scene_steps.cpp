@@ -7,6 +7,7 @@
 
 #include "common/index.hpp"
 #include "equations/scene_table.hpp"
+#include "formulate/scene_drift.hpp"
 #include "formulate/scene_guards.hpp"
 #include "formulate/search.hpp"
 #include "model/scene_facts.hpp"

@@ -1,5 +1,4 @@
 // What limbs that share code have in common: constants where all are equal, otherwise leaves.
-#include <algorithm>
 
 #include "common/transformed.hpp"
 #include "formulate/link_kinematics.hpp"

@@ -8,6 +8,15 @@ Mat3 inertia_tensor(const Mat3& E) {
            {-E[0][2], -E[1][2], E[0][0] + E[1][1]}}};
 }
 
+Mat3 pseudo_inertia_of(Graph& graph, Mat3 I) {
+  const Expr half_trace = constant(graph, Real("0.5")) * (I[0][0] + I[1][1] + I[2][2]);
+  for (std::size_t k = 0; k < kSize; ++k) {
+    I[k] = -I[k];
+    I[k][k] += half_trace;
+  }
+  return I;
+}
+
 Expr sum(const std::vector<Expr>& terms) {
   Expr result;
   Expr constants;

@@ -79,6 +79,8 @@ inline Mat3 constant(Graph& graph, const model::Matrix3& m) {
 
 /// I = tr(E) - E.
 Mat3 inertia_tensor(const Mat3& E);
+/// E of it.
+Mat3 pseudo_inertia_of(Graph& graph, Mat3 I);
 
 /// A sum whose constant terms are added last, as one number.
 Expr sum(const std::vector<Expr>& terms);

@@ -28,7 +28,7 @@ constexpr int kScenePlaces = 1 << 25;
 /// The offset between two axes; where there are no two, its components.
 Vector3 offset_of(const model::Joint& joint, const model::Joint* father, StandInNumbers& all) {
   const auto turns = [](const model::Joint& of) {
-    return of.type == model::JointType::kRevolute;
+    return of.turns();
   };
   if (father == nullptr || !turns(joint) || !turns(*father)) {
     return all.vector(StandIn::kOffset, joint.offset);

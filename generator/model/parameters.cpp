@@ -114,6 +114,21 @@ std::vector<Parameter> parameters_of(const Tree& tree, int link, const Declared&
 
 const char* unit(const Parameter& parameter) { return kind(parameter.quantity).unit; }
 
+namespace {
+
+/// A number of a link to which other links are fixed.
+bool carries_others(const Tree& tree, const Parameter& parameter) {
+  const bool of_body = parameter.quantity == ParameterKind::kMass ||
+                       parameter.quantity == ParameterKind::kCom ||
+                       parameter.quantity == ParameterKind::kInertia;
+  return of_body && std::ranges::any_of(tree.frames, [&](const Frame& frame) {
+           return frame.link == parameter.link &&
+                  frame.name != tree.links[to_index(parameter.link)].name;
+         });
+}
+
+}  // namespace
+
 std::string meaning(const Tree& tree, const Parameter& parameter) {
   const std::string component = component_name(parameter.quantity, parameter.component);
   const std::string what = joined(kind(parameter.quantity).meaning, ' ', component);
@@ -126,7 +141,8 @@ std::string meaning(const Tree& tree, const Parameter& parameter) {
     case ParameterKind::kScene:
       return what + " " + parameter.declared + " of the scene";
     default:
-      return what + " of link " + owner(tree, parameter);
+      return what + " of link " + owner(tree, parameter) +
+             (carries_others(tree, parameter) ? " with all that is fixed to it" : "");
   }
 }
 

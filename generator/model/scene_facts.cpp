@@ -121,7 +121,7 @@ bool has_anchor(const Scene& scene, const std::vector<int>& constraints) {
 
 bool is_angular(const Tree& tree, const Constraint& constraint) {
   return constraint.kind == ConstraintKind::kJoint
-             ? tree.moved_by(constraint.joint).joint.type == JointType::kRevolute
+             ? tree.moved_by(constraint.joint).joint.turns()
              : constraint.kind == ConstraintKind::kOrientation;
 }
 

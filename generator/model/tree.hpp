@@ -45,6 +45,8 @@ struct Joint {
   Matrix3 rotation{};  ///< joint frame -> father's link frame at q = 0
   Location where;
   Limits limits;
+
+  [[nodiscard]] bool turns() const { return type == JointType::kRevolute; }
 };
 
 /// A moving link. The link frame is the joint frame moved by the joint ("main frame").

@@ -1,6 +1,6 @@
-#include "optimise/expand.hpp"
-
 #include <cstdlib>
+
+#include "optimise/passes.hpp"
 
 namespace treedyn::optimise {
 

@@ -1,8 +1,8 @@
-#include "optimise/factor.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <tuple>
+
+#include "optimise/passes.hpp"
 
 namespace treedyn::optimise {
 

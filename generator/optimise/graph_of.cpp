@@ -21,9 +21,7 @@ class GraphWriter {
   void write_item(int k);
   Ref write_sum(std::span<const Ref> terms);
   Ref write_product(std::span<const Ref> factors);
-  [[nodiscard]] Ref image(Ref a) const {
-    return a < 0 ? -image_[program::node_index(a)] : image_[program::node_index(a)];
-  }
+  [[nodiscard]] Ref image(Ref a) const { return copy_of(image_, a); }
 
   const Network& network_;
   std::vector<int> uses_;

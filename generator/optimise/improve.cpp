@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "optimise/expand.hpp"
 #include "optimise/passes.hpp"
 #include "optimise/window.hpp"
 

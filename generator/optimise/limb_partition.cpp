@@ -51,11 +51,6 @@ LimbPartition::LimbPartition(const Function& function, const Limbs& limbs)
   }
 }
 
-bool LimbPartition::is_operation(Ref a) const {
-  const Kind kind = graph_.node(a).kind;
-  return a != 0 && kind != Kind::kConstant && kind != Kind::kInput;
-}
-
 void LimbPartition::place_leaves() {
   std::map<int, LimbPlace> of_coordinate;
   std::vector<int> first_number;
@@ -72,26 +67,27 @@ void LimbPartition::place_leaves() {
   }
   for (const Ref k : nodes_) {
     const Node& node = graph_.node(k);
-    LimbPlace& place = places_[index(k)];
+    LimbPlace& place = places_[program::node_index(k)];
     if (node.kind == Kind::kConstant) {
-      keys_[index(k)] = key_of_number(graph_.value(k));
+      keys_[program::node_index(k)] = key_of_number(graph_.value(k));
     } else if (node.kind == Kind::kInput && node.a >= kFixedArrays) {
       const int c = node.a - kFixedArrays;
       const int size = limbs_[static_cast<std::size_t>(c)].size();
       place = {c, node.b % size, first_number[static_cast<std::size_t>(c)] + node.b % size,
                node.b / size, 0};
-      keys_[index(k)] = residue::key_of(node.a, place.position);
+      keys_[program::node_index(k)] = residue::key_of(node.a, place.position);
     } else if (node.kind == Kind::kInput && node.a >= kLimbInputs) {
       place = of_coordinate.at(node.b);
-      keys_[index(k)] = residue::key_of(node.a, place.limb_class * kMostJoints + place.position);
+      keys_[program::node_index(k)] =
+          residue::key_of(node.a, place.limb_class * kMostJoints + place.position);
     } else {
-      keys_[index(k)] = residue::key_of(-1, k);  // the trunk's: known by its number
+      keys_[program::node_index(k)] = residue::key_of(-1, k);  // the trunk's: known by its number
     }
   }
 }
 
 Key LimbPartition::key(Ref a) const {
-  const Key positive = keys_[index(a)];
+  const Key positive = keys_[program::node_index(a)];
   return a < 0 ? residue::negative(positive) : positive;
 }
 
@@ -118,7 +114,7 @@ Key LimbPartition::operation_key(const Node& node) const {
 
 void LimbPartition::place_operation(Ref k) {
   LimbPlace place;
-  bool several = of_trunk_[index(k)];
+  bool several = of_trunk_[program::node_index(k)];
   for_each_operand(graph_.node(k), [&](Ref operand) {
     const LimbPlace& own = this->place(operand);
     if (!own.is_trunk()) {
@@ -131,8 +127,9 @@ void LimbPartition::place_operation(Ref k) {
   }
   place.position = 0;
   place.stage = 0;
-  places_[index(k)] = place;
-  keys_[index(k)] = place.is_trunk() ? residue::key_of(-1, k) : operation_key(graph_.node(k));
+  places_[program::node_index(k)] = place;
+  keys_[program::node_index(k)] =
+      place.is_trunk() ? residue::key_of(-1, k) : operation_key(graph_.node(k));
 }
 
 void LimbPartition::place_operations() {
@@ -144,7 +141,7 @@ void LimbPartition::place_operations() {
 }
 
 LimbPartition::Name LimbPartition::name(Ref k) const {
-  const Key positive = keys_[index(k)];
+  const Key positive = keys_[program::node_index(k)];
   return {place(k).limb_class, std::min(positive, residue::negative(positive))};
 }
 
@@ -165,7 +162,7 @@ bool LimbPartition::give_to_trunk() {
     if (is_limb_operation(k)) {
       const auto limbs = static_cast<std::size_t>(place(k).limb_class);
       const bool everywhere = static_cast<int>(owners[name(k)].size()) == limbs_[limbs].size();
-      of_trunk_[index(k)] = !everywhere;
+      of_trunk_[program::node_index(k)] = !everywhere;
       changed |= !everywhere;
     }
   }
@@ -181,7 +178,7 @@ bool LimbPartition::raise_stages() {
     if (!is_operation(k)) {
       continue;
     }
-    LimbPlace& own = places_[index(k)];
+    LimbPlace& own = places_[program::node_index(k)];
     int stage = own.stage;
     for_each_operand(graph_.node(k), [&](Ref operand) {
       if (is_operation(operand)) {
@@ -200,7 +197,7 @@ bool LimbPartition::raise_stages() {
   for (const Ref k : nodes_) {
     if (is_limb_operation(k)) {
       raised |= of_class[name(k)] > place(k).stage;
-      places_[index(k)].stage = of_class[name(k)];
+      places_[program::node_index(k)].stage = of_class[name(k)];
     }
   }
   return raised;

@@ -27,8 +27,8 @@ class LimbPartition {
 
   /// What the outputs need, ascending.
   [[nodiscard]] const std::vector<Ref>& nodes() const { return nodes_; }
-  [[nodiscard]] const LimbPlace& place(Ref a) const { return places_[index(a)]; }
-  [[nodiscard]] bool is_operation(Ref a) const;
+  [[nodiscard]] const LimbPlace& place(Ref a) const { return places_[program::node_index(a)]; }
+  [[nodiscard]] bool is_operation(Ref a) const { return graph_.is_operation(a); }
   [[nodiscard]] bool is_limb_operation(Ref a) const {
     return is_operation(a) && !place(a).is_trunk();
   }
@@ -40,7 +40,6 @@ class LimbPartition {
  private:
   using Name = std::pair<int, residue::Key>;  ///< class, key without sign
 
-  static std::size_t index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
   void place_leaves();
   void place_operations();
   void place_operation(Ref k);

@@ -1,9 +1,8 @@
-#include "optimise/limb_prune.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 
 #include "common/index.hpp"
+#include "optimise/limb_sharing.hpp"
 #include "program/rewritten.hpp"
 
 namespace treedyn::optimise {

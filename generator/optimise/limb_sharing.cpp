@@ -9,7 +9,6 @@
 #include "common/index.hpp"
 #include "common/transformed.hpp"
 #include "optimise/limb_partition.hpp"
-#include "optimise/limb_prune.hpp"
 #include "program/rewritten.hpp"
 
 namespace treedyn::optimise {

@@ -16,4 +16,9 @@ namespace treedyn::optimise {
 std::shared_ptr<const LimbCode> limb_code(const Function& function, const Limbs& limbs,
                                           const std::optional<Effort>& effort);
 
+/// Takes away values of limbs and of the trunk that nobody needs and phases that compute none, and
+/// writes values of limbs that are a number as that number where they are needed. To be called
+/// before the columns are numbered. O(size of the graphs), a few times.
+void prune(LimbCode& code);
+
 }  // namespace treedyn::optimise

@@ -35,7 +35,7 @@ int Network::append_constant(const Real& value) {
 }
 
 void Network::set_operands(Ref a, std::span<const Ref> operands) {
-  Item& item = items_[index(a)];
+  Item& item = items_[program::node_index(a)];
   if (static_cast<int>(operands.size()) > item.size) {
     item.first = static_cast<int>(pool_.size());
     pool_.resize(pool_.size() + operands.size());
@@ -165,8 +165,7 @@ Ref rebuild(NetworkBuilder& builder, const Item& item, std::vector<Ref>& operand
 }
 
 std::vector<Ref> mapped(const std::vector<Ref>& image, std::span<const Ref> refs) {
-  return transformed(
-      refs, [&](const Ref a) { return program::with_sign(image[program::node_index(a)], a); });
+  return transformed(refs, [&](Ref a) { return copy_of(image, a); });
 }
 
 /// Equal items become one.
@@ -180,7 +179,7 @@ Network without_duplicates(const Network& network) {
     const auto operands = network.operands(step.item);
     w.operands.assign(operands.begin(), operands.end());
     for (Ref& operand : w.operands) {
-      operand = program::with_sign(w.image[program::node_index(operand)], operand);
+      operand = copy_of(w.image, operand);
     }
     w.image[program::node_index(step.item)] = rebuild(builder, item, w.operands, step.position);
   }
@@ -289,9 +288,7 @@ Network network_of(const Graph& graph, std::span<const Ref> outputs) {
       continue;
     }
     operands.clear();
-    for_each_operand(node, [&](Ref a) {
-      operands.push_back(program::with_sign(image[program::node_index(a)], a));
-    });
+    for_each_operand(node, [&](Ref a) { operands.push_back(copy_of(image, a)); });
     const Item leaf{node.kind, node.a, node.b, k};
     image[program::node_index(k)] = rebuild(builder, leaf, operands, k);
   }
@@ -309,9 +306,7 @@ int operations(const Network& network) {
   count_uses(network, count);
   int total = 0;
   for (int k = 1; k < network.size(); ++k) {
-    const Kind kind = network.item(k).kind;
-    if (count[program::node_index(k)] > 0 &&
-        (kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide)) {
+    if (count[program::node_index(k)] > 0 && program::is_arithmetic(network.item(k).kind)) {
       total += network.item(k).size - 1;
     }
   }

@@ -37,13 +37,13 @@ class Network {
       : items_(1), constants_(std::move(constants)) {}
 
   [[nodiscard]] int size() const { return static_cast<int>(items_.size()); }
-  [[nodiscard]] const Item& item(Ref a) const { return items_[index(a)]; }
+  [[nodiscard]] const Item& item(Ref a) const { return items_[program::node_index(a)]; }
   [[nodiscard]] std::span<Ref> operands(Ref a) {
-    const Item& item = items_[index(a)];
+    const Item& item = items_[program::node_index(a)];
     return {pool_.data() + begin(item), count(item)};
   }
   [[nodiscard]] std::span<const Ref> operands(Ref a) const {
-    const Item& item = items_[index(a)];
+    const Item& item = items_[program::node_index(a)];
     return {pool_.data() + begin(item), count(item)};
   }
   [[nodiscard]] bool is_constant(Ref a) const { return item(a).kind == Kind::kConstant; }
@@ -58,9 +58,9 @@ class Network {
   int append_leaf(const Item& leaf);
   int append_constant(const Real& value);
   /// Keeps the first `size` operands. \pre size <= item(a).size
-  void shorten(Ref a, int size) { items_[index(a)].size = size; }
+  void shorten(Ref a, int size) { items_[program::node_index(a)].size = size; }
   /// Gives an item another operation on its (already rewritten) operands.
-  void set_kind(Ref a, Kind kind) { items_[index(a)].kind = kind; }
+  void set_kind(Ref a, Kind kind) { items_[program::node_index(a)].kind = kind; }
   /// Replaces all operands; O(number of operands).
   void set_operands(Ref a, std::span<const Ref> operands);
 
@@ -69,7 +69,6 @@ class Network {
   void reserve(std::size_t items, std::size_t operands);
 
  private:
-  static std::size_t index(Ref a) { return to_index(a < 0 ? -a : a); }
   static std::size_t count(const Item& item) {
     const bool leaf = item.kind == Kind::kConstant || item.kind == Kind::kInput;
     return leaf ? 0 : to_index(item.size);

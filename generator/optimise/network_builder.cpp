@@ -6,6 +6,7 @@
 
 #include "common/error.hpp"
 #include "optimise/kept.hpp"
+#include "program/interpret.hpp"
 
 namespace treedyn::optimise {
 
@@ -269,7 +270,7 @@ Ref NetworkBuilder::function(Kind kind, Ref a, int position) {
   if (network_.is_constant(a)) {  // made so by terms that cancelled
     const Real& magnitude = network_.magnitude(a);
     const Real x = a < 0 ? Real(-magnitude) : magnitude;
-    return constant(kind == Kind::kSin ? sin(x) : kind == Kind::kCos ? cos(x) : sqrt(x));
+    return constant(program::elementary(kind, x));
   }
   const bool even = kind == Kind::kCos;
   const bool odd = kind == Kind::kSin;

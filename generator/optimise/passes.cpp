@@ -2,9 +2,6 @@
 
 #include <utility>
 
-#include "optimise/factor.hpp"
-#include "optimise/share.hpp"
-
 namespace treedyn::optimise {
 
 namespace {

@@ -173,9 +173,7 @@ int Resubstitution::exclusive_operations(int k) {
   while (!open.empty()) {
     const int item = open.back();
     open.pop_back();
-    const Kind kind = network_.item(item).kind;
-    const bool counts = kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide;
-    total += counts ? network_.item(item).size - 1 : 0;
+    total += program::is_arithmetic(network_.item(item).kind) ? network_.item(item).size - 1 : 0;
     for (const Ref operand : network_.operands(item)) {
       if (operand == 0) {
         continue;

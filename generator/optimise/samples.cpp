@@ -36,9 +36,7 @@ Sample SampleTable::evaluate(int k) const {
       [](Kind kind, const Sample& a) -> Sample {
         const bool has_root = kind != Kind::kSqrt || a.first.seen() >= 0;
         if (has_root && identical(a.first, a.second)) {  // the same in every state
-          const Real value = kind == Kind::kSin   ? sin(a.first)
-                             : kind == Kind::kCos ? cos(a.first)
-                                                  : sqrt(a.first);
+          const Real value = program::elementary(kind, a.first);
           return {value, value};
         }
         return {sample_function(kind, a.first), sample_function(kind, a.second)};

@@ -1,9 +1,8 @@
-#include "optimise/share.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 
 #include "optimise/kept.hpp"
+#include "optimise/passes.hpp"
 
 namespace treedyn::optimise {
 

@@ -9,11 +9,6 @@ namespace treedyn::optimise {
 
 namespace {
 
-bool is_operation(const Network& network, int k) {
-  const Kind kind = network.item(k).kind;
-  return kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide;
-}
-
 /// Users of every item, those of item k in users[first[k] .. first[k + 1]).
 struct Users {
   std::vector<int> first;
@@ -48,7 +43,7 @@ std::vector<int> random_neighbourhood(const Network& network, Random& random, in
   std::vector<bool> seen(to_index(network.size()), false);
   std::vector<int> found;
   const auto visit = [&](int k) {
-    if (!seen[program::node_index(k)] && is_operation(network, k)) {
+    if (!seen[program::node_index(k)] && program::is_arithmetic(network.item(k).kind)) {
       seen[program::node_index(k)] = true;
       found.push_back(k);
     }
@@ -115,14 +110,14 @@ Network with_window(Network network, const Window& window) {
     } else {
       operands.clear();
       for (const Ref operand : window.network.operands(k)) {
-        operands.push_back(program::with_sign(image[program::node_index(operand)], operand));
+        operands.push_back(copy_of(image, operand));
       }
       image[program::node_index(k)] = network.append(item.kind, operands, item.position);
     }
   }
   for (std::size_t i = 0; i < window.results.size(); ++i) {
     const Ref output = window.network.outputs()[i];
-    const Ref value = program::with_sign(image[program::node_index(output)], output);
+    const Ref value = copy_of(image, output);
     network.set_kind(window.results[i], Kind::kAdd);  // a sum of one term is that term
     network.set_operands(window.results[i], std::span(&value, 1));
   }

@@ -1,7 +1,9 @@
 #include "program/function.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <functional>
 #include <set>
 
 #include "program/limb_code.hpp"
@@ -9,6 +11,10 @@
 namespace treedyn::program {
 
 namespace {
+
+/// By kind of node.
+constexpr std::array<int Cost::*, 8> kCountOf = {nullptr,    nullptr,    &Cost::add, &Cost::mul,
+                                                 &Cost::div, &Cost::sin, &Cost::cos, &Cost::sqrt};
 
 /// Sums of `nodes` that take in a product of no other use.
 int fused(const Graph& graph, const std::vector<Ref>& nodes, std::span<const Ref> outputs) {
@@ -47,30 +53,12 @@ Cost cost(const Graph& graph, std::span<const Ref> outputs) {
   std::set<Ref> angles;
   result.fused = fused(graph, nodes, outputs);
   for (const Ref k : nodes) {
-    switch (graph.node(k).kind) {
-      case Kind::kConstant:
-      case Kind::kInput:
-        break;
-      case Kind::kAdd:
-        ++result.add;
-        break;
-      case Kind::kMultiply:
-        ++result.mul;
-        break;
-      case Kind::kDivide:
-        ++result.div;
-        break;
-      case Kind::kSin:
-        ++result.sin;
-        angles.insert(std::abs(graph.node(k).a));
-        break;
-      case Kind::kCos:
-        ++result.cos;
-        angles.insert(std::abs(graph.node(k).a));
-        break;
-      case Kind::kSqrt:
-        ++result.sqrt;
-        break;
+    const Node& node = graph.node(k);
+    if (int Cost::*const count = kCountOf[static_cast<std::size_t>(node.kind)]; count != nullptr) {
+      ++(result.*count);
+    }
+    if (node.kind == Kind::kSin || node.kind == Kind::kCos) {
+      angles.insert(std::abs(node.a));
     }
   }
   result.angles = static_cast<int>(angles.size());
@@ -83,15 +71,10 @@ Cost cost(const Function& function) {
   return function.limb_code ? cost(*function.limb_code) : cost(function.graph, function.outputs);
 }
 
-Cost operator+(const Cost& a, const Cost& b) {
-  return {a.add + b.add,   a.mul + b.mul,    a.div + b.div,     a.sqrt + b.sqrt,
-          a.sin + b.sin,   a.cos + b.cos,    a.fused + b.fused, a.angles + b.angles,
-          a.twos + b.twos, a.fours + b.fours};
-}
+Cost operator+(const Cost& a, const Cost& b) { return by_count(a, b, std::plus()); }
 
 Cost operator*(int times, const Cost& c) {
-  return {times * c.add, times * c.mul,   times * c.div,    times * c.sqrt, times * c.sin,
-          times * c.cos, times * c.fused, times * c.angles, times * c.twos, times * c.fours};
+  return by_count(c, c, [times](int count, int) { return times * count; });
 }
 
 }  // namespace treedyn::program

@@ -95,6 +95,17 @@ struct Cost {
 Cost cost(const Graph& graph, std::span<const Ref> outputs);
 /// Of the code of the function: every call of a limb's code counts.
 Cost cost(const Function& function);
+/// `operation` on the counts of both, one by one.
+template <class Operation>
+Cost by_count(Cost a, const Cost& b, Operation operation) {
+  for (int Cost::*const count :
+       {&Cost::add, &Cost::mul, &Cost::div, &Cost::sqrt, &Cost::sin, &Cost::cos, &Cost::fused,
+        &Cost::angles, &Cost::twos, &Cost::fours}) {
+    a.*count = operation(a.*count, b.*count);
+  }
+  return a;
+}
+
 Cost operator+(const Cost& a, const Cost& b);
 Cost operator*(int times, const Cost& cost);
 

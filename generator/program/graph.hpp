@@ -25,6 +25,8 @@ constexpr Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value;
 inline constexpr int kFixedArrays = 1 << 20;
 
 enum class Kind : std::uint8_t { kConstant, kInput, kAdd, kMultiply, kDivide, kSin, kCos, kSqrt };
+/// Sums, products and quotients.
+constexpr bool is_arithmetic(Kind kind) { return kind >= Kind::kAdd && kind <= Kind::kDivide; }
 
 /// One node. kConstant: a = index of the (positive) constant. kInput: a = array, b = element.
 /// kAdd: a > 0, b of either sign. kMultiply, kDivide, kSin, kCos: operands positive. kSqrt: of
@@ -65,6 +67,7 @@ class Graph {
   Ref sqrt(Ref a);
 
   [[nodiscard]] bool is_constant(Ref a) const;
+  [[nodiscard]] bool is_operation(Ref a) const { return a != 0 && node(a).kind >= Kind::kAdd; }
   /// True if no argument of the function is needed: a constant, or made of constants of limbs.
   [[nodiscard]] bool is_fixed(Ref a) const { return a == 0 || fixed_[node_index(a)]; }
   /// \pre is_constant(a)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/index.hpp"
+#include "common/transformed.hpp"
 #include "program/function.hpp"
 
 namespace treedyn::program {
@@ -61,30 +62,44 @@ std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs
   return value;
 }
 
+/// The value of a kSin, kCos or kSqrt.
+template <class Scalar>
+Scalar elementary(Kind kind, const Scalar& a) {
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  return kind == Kind::kSin   ? Scalar(sin(a))
+         : kind == Kind::kCos ? Scalar(cos(a))
+                              : Scalar(sqrt(a));
+}
+
+/// The same with roots of magnitudes: every number has a value.
+template <class Scalar>
+Scalar elementary_of_any(Kind kind, const Scalar& a) {
+  using std::abs;
+  return elementary(kind, kind == Kind::kSqrt ? Scalar(abs(a)) : a);
+}
+
+/// The values of the outputs, given those of all nodes.
+template <class Scalar>
+std::vector<Scalar> outputs_of(const Function& function, const std::vector<Scalar>& values) {
+  return transformed<Scalar>(function.outputs, [&](Ref output) {
+    const Scalar& value = values[node_index(output)];
+    return output < 0 ? Scalar(-value) : value;
+  });
+}
+
 /// The output values for the given input arrays (one span per array of `signature.inputs`, in
 /// order). \pre the spans have the sizes that the signature states.
 template <class Scalar>
 std::vector<Scalar> interpret(const Function& function,
                               const std::vector<std::span<const Scalar>>& inputs) {
-  const std::vector<Scalar> value = node_values<Scalar>(
-      function.graph, function.outputs,
-      [&](int array, int element) { return inputs[to_index(array)][to_index(element)]; },
-      [](Kind kind, const Scalar& a) -> Scalar {
-        using std::cos;
-        using std::sin;
-        using std::sqrt;
-        if (kind == Kind::kSin) {
-          return sin(a);
-        }
-        return kind == Kind::kCos ? Scalar(cos(a)) : Scalar(sqrt(a));
-      });
-  std::vector<Scalar> outputs;
-  outputs.reserve(function.outputs.size());
-  for (const Ref output : function.outputs) {
-    const Scalar& result = value[node_index(output)];
-    outputs.push_back(output < 0 ? Scalar(-result) : result);
-  }
-  return outputs;
+  return outputs_of(function, node_values<Scalar>(
+                                  function.graph, function.outputs,
+                                  [&](int array, int element) {
+                                    return inputs[to_index(array)][to_index(element)];
+                                  },
+                                  elementary<Scalar>));
 }
 
 }  // namespace treedyn::program

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "program/copy.hpp"
+#include "program/interpret.hpp"
 
 namespace treedyn::program {
 
@@ -71,13 +72,6 @@ Number product(const Number& a, const Number& b) {
 /// The value of an operation on numbers. \param of  Ref -> Number
 template <class Of>
 Number operation(const Node& node, Of of) {
-  using treedyn::cos;
-  using treedyn::sin;
-  using treedyn::sqrt;
-  const auto map = [&](auto function) {
-    return combined(of(node.a), {-1, 0, {Real(0)}},
-                    [&](const Real& x, const Real&) { return function(x); });
-  };
   switch (node.kind) {
     case Kind::kConstant:
     case Kind::kInput:
@@ -90,11 +84,10 @@ Number operation(const Node& node, Of of) {
       return combined(of(node.a), of(node.b),
                       [](const Real& x, const Real& y) { return Real(x / y); });
     case Kind::kSin:
-      return map([](const Real& x) { return Real(sin(x)); });
     case Kind::kCos:
-      return map([](const Real& x) { return Real(cos(x)); });
     case Kind::kSqrt:
-      return map([](const Real& x) { return Real(sqrt(x)); });
+      return combined(of(node.a), {-1, 0, {Real(0)}},
+                      [&](const Real& x, const Real&) { return elementary(node.kind, x); });
   }
   return {};
 }

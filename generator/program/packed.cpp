@@ -35,10 +35,7 @@ std::vector<bool> zeros(const Function& function) {
   const std::vector<Real> values = node_values<Real>(
       function.graph, function.outputs,
       [](int array, int element) { return Real(sample_input(array, element, 1)); },
-      [](Kind kind, const Real& a) {
-        return kind == Kind::kSin ? sin(a) : kind == Kind::kCos ? cos(a) : sqrt(abs(a));
-      },
-      Numbers::kSeen);
+      elementary_of_any<Real>, Numbers::kSeen);
   Real largest = 0;
   for (const Real& value : values) {
     largest = larger(largest, abs(value));

@@ -24,11 +24,7 @@ NodeValues values_at(const Function& function, const std::vector<double>& q) {
             (static_cast<std::uint64_t>(array) << 32U) + static_cast<std::uint64_t>(element);
         return Real(array == 0 ? q[to_index(element)] : Random(scramble(name)).symmetric());
       },
-      [](Kind kind, const Real& a) {
-        return kind == Kind::kSin   ? Real(sin(a))
-               : kind == Kind::kCos ? Real(cos(a))
-                                    : Real(sqrt(abs(a)));
-      });
+      elementary_of_any<Real>);
 }
 
 class Pivots {

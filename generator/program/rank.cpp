@@ -57,6 +57,20 @@ std::vector<Real> pivot_shares(const std::vector<Real>& lower, int rows) {
   return shares;
 }
 
+/// The product of the same parts in the order of the rows.
+Real product_of_pivots(const std::vector<Real>& lower, int rows) {
+  Matrix a = symmetric(lower, rows);
+  Real result = 1;
+  for (std::size_t k = 0; k < a.size() && result > 0; ++k) {
+    const Real& whole = lower[k * (k + 3) / 2];
+    result *= whole == 0 ? Real(0) : Real(a[k][k] / whole);
+    if (result > 0) {
+      eliminate(a, k);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 int rank_of(const std::vector<Real>& lower, int rows) {
@@ -108,9 +122,11 @@ RowSolve solve_of(const Function& function, int rows, const OrdinaryRows& ordina
   for (std::size_t k = 0; k < values.size(); ++k) {
     solve.zeros.push_back(function.outputs[k] == 0);
   }
-  solve.rank = ordinary.holds ? ordinary.rank : rank_of(without(values, is_rounding), rows);
+  solve.elsewhere = rank_of(without(values, is_rounding), rows);
+  solve.rank = ordinary.holds ? ordinary.rank : solve.elsewhere;
   std::vector<Real> sizes(static_cast<std::size_t>(rows));
   Real least = 0;
+  Real product = 0;
   for (const std::vector<double>& q : ordinary.states) {
     std::vector<Real> K = values_at(function, inputs, q);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -120,8 +136,10 @@ RowSolve solve_of(const Function& function, int rows, const OrdinaryRows& ordina
     const std::vector<Real> shares = pivot_shares(without(K, is_rounding), rows);
     const auto last = static_cast<std::size_t>(solve.rank);
     least = last > 0 && last <= shares.size() ? std::max(least, shares[last - 1]) : least;
+    product = solve.regular() ? std::max(product, product_of_pivots(K, rows)) : product;
   }
   solve.least = rounded(least);
+  solve.product = rounded(product);
   ordinary.raise_rounding(std::span(sizes));
   std::ranges::transform(sizes, std::back_inserter(solve.sizes), rounded);
   return solve;

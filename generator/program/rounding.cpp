@@ -25,11 +25,7 @@ std::vector<double> values_at(const Function& function, int state) {
       [state](int array, int element) {
         return Digits(kLargestInput * sample_input(array, element, state));
       },
-      [](Kind kind, const Digits& a) {
-        return kind == Kind::kSin   ? sin(Real(a)).digits()
-               : kind == Kind::kCos ? cos(Real(a)).digits()
-                                    : sqrt(abs(Real(a))).digits();
-      });
+      [](Kind kind, const Digits& a) { return elementary_of_any(kind, Real(a)).digits(); });
   return transformed(exact, [](const Digits& x) { return static_cast<double>(x); });
 }
 
@@ -117,13 +113,11 @@ namespace {
 
 /// The same bits on every machine: sines of float and double are rounded from 50 digits.
 template <class Scalar>
-Scalar elementary(Kind kind, const Scalar& x) {
+Scalar rounded_elementary(Kind kind, const Scalar& x) {
   if constexpr (std::is_floating_point_v<Scalar>) {
-    return static_cast<Scalar>(elementary(kind, Digits(x)));
+    return static_cast<Scalar>(elementary_of_any(kind, Digits(x)));
   } else {
-    return kind == Kind::kSin   ? Scalar(sin(x))
-           : kind == Kind::kCos ? Scalar(cos(x))
-                                : Scalar(sqrt(abs(x)));
+    return elementary_of_any(kind, x);
   }
 }
 
@@ -134,21 +128,13 @@ Scalar input_at(int array, int element, int state) {
 }
 
 template <class Scalar>
-std::vector<Scalar> outputs_of(const Function& function, const std::vector<Scalar>& values) {
-  return transformed(function.outputs, [&](const Ref output) {
-    const Scalar& value = values[node_index(output)];
-    return output < 0 ? Scalar(-value) : value;
-  });
-}
-
-template <class Scalar>
 std::vector<Scalar> results_at(const Function& function, int state) {
   return outputs_of(function, node_values<Scalar>(
                                   function.graph, function.outputs,
                                   [state](int array, int element) {
                                     return input_at<Scalar>(array, element, state);
                                   },
-                                  elementary<Scalar>));
+                                  rounded_elementary<Scalar>));
 }
 
 /// A number half of whose operations are off by a last digit more, up or down by chance: so may
@@ -198,7 +184,7 @@ std::vector<Scalar> nudged_at(const Function& function, int state, std::uint64_t
                                  return Value(input_at<Scalar>(array, element, state), seed);
                                },
                                [](Kind kind, const Value& x) {
-                                 return Value::rounded(elementary(kind, x.value), x.seed);
+                                 return Value::rounded(rounded_elementary(kind, x.value), x.seed);
                                }));
   return transformed(results, [](const Value& x) { return x.value; });
 }

@@ -12,11 +12,6 @@ namespace {
 /// keep its own operands alive for so long.
 constexpr int kFar = 24;
 
-bool is_operation(const Graph& graph, Ref a) {
-  const Kind kind = graph.node(a).kind;
-  return a != 0 && kind != Kind::kConstant && kind != Kind::kInput;
-}
-
 bool is_trigonometric(Kind kind) { return kind == Kind::kSin || kind == Kind::kCos; }
 
 /// For every sine the cosine of the same angle and the other way round; 0: none is needed.
@@ -66,7 +61,7 @@ class Order {
 
  private:
   [[nodiscard]] bool is_missing(Ref a) const {
-    return is_operation(graph_, a) && !seen_[node_index(a)];
+    return graph_.is_operation(a) && !seen_[node_index(a)];
   }
 
   const Graph& graph_;
@@ -288,9 +283,8 @@ void Inliner::mark_candidates(std::span<const Ref> outputs, std::span<const Ref>
       const bool named = graph_.hint(operand).symbol != nullptr &&
                          !(kind == Kind::kMultiply && user.kind == Kind::kAdd);
       result_.inlined[node_index(operand)] =
-          is_operation(graph_, operand) && !is_trigonometric(kind) &&
-          !is_trigonometric(user.kind) && !named && uses[node_index(operand)] == 1 &&
-          at - place[node_index(operand)] <= kFar;
+          graph_.is_operation(operand) && !is_trigonometric(kind) && !is_trigonometric(user.kind) &&
+          !named && uses[node_index(operand)] == 1 && at - place[node_index(operand)] <= kFar;
     });
   }
 }

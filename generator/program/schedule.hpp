@@ -48,7 +48,7 @@ struct Schedule {
   std::vector<Ref> statements;  ///< in order of execution
   std::vector<bool> inlined;    ///< by node number
 
-  [[nodiscard]] bool is_inlined(Ref a) const { return inlined[to_index(a < 0 ? -a : a)]; }
+  [[nodiscard]] bool is_inlined(Ref a) const { return inlined[node_index(a)]; }
 };
 
 /// Shape of `node` if the inlined operands are written in place: the text then groups exactly as

@@ -18,16 +18,37 @@ struct Triangle {
   std::vector<std::vector<Expr>> l;
   std::vector<Expr> pivots;
   std::vector<Expr> inverses;
+  std::vector<Expr> wholes;  ///< what pivots are measured by
 };
+
+/// K_kk + sum of w_i^2 K_ii, w = K^-1 k_k of the rows before: L^T w = l.
+Expr grown(Graph& graph, const RowSolve& solve, const Triangle& t, const std::vector<Expr>& l) {
+  const std::size_t k = l.size();
+  const auto own = [&](std::size_t i) {
+    return entry(graph, solve, static_cast<int>(i), static_cast<int>(i));
+  };
+  std::vector<Expr> w = l;
+  Expr result = own(k);
+  for (std::size_t i = k; i-- > 0;) {
+    for (std::size_t j = i + 1; j < k; ++j) {
+      w[i] -= t.l[j][i] * w[j];
+    }
+    result += w[i] * w[i] * own(i);
+  }
+  return result;
+}
 
 Triangle factor(Graph& graph, const RowSolve& solve) {
   Triangle t;
   const auto r = static_cast<std::size_t>(solve.rows);
+  const Expr one(graph, graph.constant(1));
+  Expr growth = one;
   for (std::size_t k = 0; k < r; ++k) {
     std::vector<Expr> u;
     std::vector<Expr> l;
     const int row = static_cast<int>(k);
-    Expr pivot = entry(graph, solve, row, row);
+    const Expr own = entry(graph, solve, row, row);
+    Expr pivot = own;
     for (std::size_t j = 0; j < k; ++j) {
       Expr value = entry(graph, solve, row, static_cast<int>(j));
       for (std::size_t m = 0; m < j; ++m) {
@@ -40,8 +61,9 @@ Triangle factor(Graph& graph, const RowSolve& solve) {
     t.l.push_back(l);
     t.pivots.push_back(pivot);
     const Expr checked(graph, graph.input(2, row));
-    const Expr one(graph, graph.constant(1));
     t.inverses.push_back(one / checked);
+    t.wholes.push_back(solve.by_product ? own * growth : grown(graph, solve, t, l));
+    growth = k == 0 ? one : growth * (own * t.inverses.back());
   }
   return t;
 }
@@ -56,7 +78,7 @@ Function regular_solve(const RowSolve& solve) {
   const int r = solve.rows;
   f.signature.name = "solve_regular";
   f.signature.inputs = {{kMatrixArray, r * (r + 1) / 2, ""}, {kRightArray, r, ""}, {"d", r, ""}};
-  f.signature.outputs = {{"d", r, ""}, {"x", r, ""}};
+  f.signature.outputs = {{"d", r, ""}, {kWholeArray, std::max(r - 2, 0), ""}, {"x", r, ""}};
   const Triangle t = factor(f.graph, solve);
   std::vector<Expr> x;
   for (int k = 0; k < r; ++k) {
@@ -67,6 +89,9 @@ Function regular_solve(const RowSolve& solve) {
       z -= t.l[n][j] * x[j];
     }
     x.push_back(z);
+  }
+  for (std::size_t k = 2; k < x.size(); ++k) {
+    f.outputs.push_back(t.wholes[k].ref());
   }
   for (std::size_t k = x.size(); k-- > 0;) {
     x[k] = x[k] * t.inverses[k];
@@ -84,7 +109,7 @@ Cost regular_cost(const RowSolve& solve) {
 
 /// The loops of templates/solve_rows.cpp.in.
 Cost deficient_cost(int rows, int rank) {
-  Cost c{.add = 2, .mul = 2};  // the bound of what is left
+  Cost c{.add = 2, .mul = 2 + rows - rank};  // the bound of what is left, independence
   for (int k = 0; k < rank; ++k) {
     const int below = rows - k - 1;
     c = c + Cost{.mul = 3 * (rows - k), .div = 1};                   // the search, 1 / pivot
@@ -97,6 +122,8 @@ Cost deficient_cost(int rows, int rank) {
     c = c + Cost{.mul = k} + products(k * (k + 1) / 2);  // elimination of S
     c = c + Cost{.mul = 2} + products(2 * 2 * k);        // two solutions with S
     c.mul += 1;                                          // D^-1
+    c = c + Cost{.mul = 1} + products(k * (k - 1) / 2);  // what rounding makes of the pivot
+    c = c + Cost{.add = k, .mul = 2 * k};
   }
   for (int i = 0; i < rows; ++i) {
     c = c + products(std::min(i, rank));         // M v

@@ -12,13 +12,19 @@ namespace treedyn::program {
 /// K x = b for a symmetric, positive semidefinite K, EQUATIONS.md 6.3.
 ///
 /// A pivot counts as zero below `tolerance` of its own diagonal entry of K, and below rounding's
-/// share of its row's size: no row is measured by another one.
+/// share of its row's size: no row is measured by another one. Without pivoting small pivots make
+/// the roundings of those behind them grow: there the share is that of K_kk + sum of w_i^2 K_ii,
+/// with w the multiples of the rows before that row k is left of, or of the bound K_kk / product.
 struct RowSolve {
   int rows = 0;
   int rank = 0;             ///< of K where the constraints hold; the regular path needs rank = rows
+  int elsewhere = 0;        ///< rank of K at a pseudo-random state, in which they need not hold
   std::vector<bool> zeros;  ///< of the lower half, row by row: entries that are always zero
   std::vector<double> sizes;  ///< of the rows: diagonal entries of K as they are in ordinary states
-  double least = 0;      ///< of the pivots, as part of their diagonal entries, in ordinary states
+  double least = 0;    ///< of the pivots, as part of their diagonal entries, in ordinary states
+  double product = 0;  ///< of these parts in the order of the rows, without pivoting
+  bool by_product =
+      false;             ///< 1 / product of the parts before bounds what a pivot's rounding grows
   bool passes = false;   ///< steps lead through positions of lower rank: rows are stabilised
   double tolerance = 0;  ///< 0: what rounding makes uncertain
 
@@ -72,7 +78,8 @@ inline constexpr const char* kNormalArray = "normal";
 inline constexpr const char* kPowerArray = "power";
 
 /// The regular path unrolled: K = L D L^T without pivoting. Input arrays K, b, d; output arrays d,
-/// x. Element k of d is output of stage k and may be read, so divided by, in stage k + 1.
+/// whole (what pivots 2, 3, .. are measured by; 1 by K_11), x. Element k of d is output of stage k
+/// and may be read, so divided by, in stage k + 1.
 Function regular_solve(const RowSolve& solve);
 
 /// Operations of the regular path, the test of the pivots included.

@@ -167,10 +167,7 @@ Cost outcome_cost(const Stepper& stepper, const StepPhase& phase, const StepEven
 }
 
 Cost most(const Cost& a, const Cost& b) {
-  return {std::max(a.add, b.add),     std::max(a.mul, b.mul),       std::max(a.div, b.div),
-          std::max(a.sqrt, b.sqrt),   std::max(a.sin, b.sin),       std::max(a.cos, b.cos),
-          std::max(a.fused, b.fused), std::max(a.angles, b.angles), std::max(a.twos, b.twos),
-          std::max(a.fours, b.fours)};
+  return by_count(a, b, [](int x, int y) { return std::max(x, y); });
 }
 
 /// The look at guards halfway.

@@ -42,49 +42,33 @@ void require_size(const model::Tree& tree, const std::vector<model::Point>& poin
           kMostPointJoints);
 }
 
-namespace {
-
-/// The size of the model that is farthest from one, in decades.
-class Extreme {
- public:
-  void consider(const Real& size, const Location& where, const std::string& what,
-                const char* unit) {
+void refuse_decades(const model::Tree& tree, const std::string& what) {
+  double most = -1;
+  Location place;
+  std::string text;
+  const auto consider = [&](const Real& size, const Location& where, const std::string& of,
+                            const char* unit) {
     const double number = abs(size).convert_to<double>();
     const double decades = std::abs(std::log10(number));
-    if (number > 0 && decades > decades_) {
-      decades_ = decades;
-      where_ = where;
-      text_ = fmt::format("{} {:.6g}{}", what, number, unit);
+    if (number > 0 && decades > most) {
+      most = decades;
+      place = where;
+      text = fmt::format("{} {:.6g}{}", of, number, unit);
     }
-  }
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(where_, fmt::format("{}: {}", text_, what));
-  }
-
- private:
-  double decades_ = -1;
-  Location where_;
-  std::string text_;
-};
-
-}  // namespace
-
-void refuse_decades(const model::Tree& tree, const std::string& what) {
-  Extreme extreme;
+  };
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const model::Link& link = tree.links[i];
     const model::Inertia& inertia = link.inertia;
     const std::string name = fmt::format("link '{}': ", shown(link.name));
     const std::string joint = fmt::format("joint '{}': ", shown(link.joint.name));
     const model::Matrix3& I = inertia.about_com;
-    extreme.consider(inertia.mass, link.where, name + "mass", " kg");
-    extreme.consider(description::norm(inertia.com), link.where, name + "centre of mass at", " m");
-    extreme.consider(I[0] + I[4] + I[8], link.where, name + "inertia of trace", " kg m^2");
-    extreme.consider(description::norm(link.joint.offset), link.joint.where, joint + "origin at",
-                     " m");
-    extreme.consider(tree.drives[i].multiplier, link.joint.where, joint + "multiplier", "");
+    consider(inertia.mass, link.where, name + "mass", " kg");
+    consider(description::norm(inertia.com), link.where, name + "centre of mass at", " m");
+    consider(I[0] + I[4] + I[8], link.where, name + "inertia of trace", " kg m^2");
+    consider(description::norm(link.joint.offset), link.joint.where, joint + "origin at", " m");
+    consider(tree.drives[i].multiplier, link.joint.where, joint + "multiplier", "");
   }
-  extreme.refuse(what);
+  throw InputError(place, fmt::format("{}: {}", text, what));
 }
 
 }  // namespace treedyn

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <set>
 
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "common/index.hpp"
 #include "description/scene_reader.hpp"
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
@@ -21,7 +19,6 @@
 #include "formulate/scene_sticking.hpp"
 #include "formulate/stand_ins.hpp"
 #include "model/parameters.hpp"
-#include "model/scene_facts.hpp"
 #include "request/limits.hpp"
 #include "request/step_checks.hpp"
 #include "simulation/integrator.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -121,18 +120,6 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   return options;
 }
 
-namespace {
-
-std::vector<std::string> options_without_value(const Request& request) {
-  std::vector<std::string> result;
-  emit::append_if(result, request.share_limbs, sharing_option(request));
-  emit::append_if(result, request.self_test, "--self-test");
-  emit::append_if(result, request.checked, "--checked");
-  return result;
-}
-
-}  // namespace
-
 std::vector<std::string> generate_command(const Request& request, Paths paths) {
   std::vector<std::string> result = {"treedyn", "generate"};
   const auto add = [&](bool given, const char* option, const std::string& value) {
@@ -140,12 +127,11 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
       result.insert(result.end(), {option, value});
     }
   };
-  const std::string& input = request.scene ? *request.scene : request.model;
-  if (request.scene) {
-    result.emplace_back("--scene");
-  }
-  result.push_back(paths == Paths::kAsGiven ? input
-                                            : std::filesystem::path(input).filename().string());
+  const auto named = [&](const std::string& file) {
+    return paths == Paths::kAsGiven ? file : std::filesystem::path(file).filename().string();
+  };
+  emit::append_if(result, request.scene.has_value(), "--scene");
+  result.push_back(named(request.scene.value_or(request.model)));
   add(request.name.has_value(), "--name", request.name.value_or(""));
   add(request.language == emit::Language::kC99, "--language", "c99");
   add(request.space.has_value(), "--namespace", request.space.value_or(""));
@@ -165,8 +151,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(request.target.packed, "--layout", "packed");
   add(!request.functions.empty(), "--functions", list_of(request.functions));
   for (const std::string& file : request.equations) {
-    add(true, "--equations",
-        paths == Paths::kAsGiven ? file : std::filesystem::path(file).filename().string());
+    add(true, "--equations", named(file));
   }
   add(request.points.has_value(), "--points", request.points.value_or(""));
   add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));
@@ -182,7 +167,9 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   for (const auto& [option, value] : step_options(request.stepping)) {
     add(true, option, value);
   }
-  std::ranges::copy(options_without_value(request), std::back_inserter(result));
+  emit::append_if(result, request.share_limbs, sharing_option(request));
+  emit::append_if(result, request.self_test, "--self-test");
+  emit::append_if(result, request.checked, "--checked");
   return result;
 }
 

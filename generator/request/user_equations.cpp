@@ -143,17 +143,13 @@ std::string without_stars(const std::string& text) {
   return result;
 }
 
-bool is_tree_description(const std::string& file) {
-  return !file.empty() && !description::is_urdf(file);
-}
-
 }  // namespace
 
 UserFunctions read_user_equations(const Request& request, const std::string& tree_file,
                                   const std::string& tree_text, const model::Tree& tree,
                                   const std::vector<model::Point>& points) {
   std::vector<model::EquationText> texts;
-  if (is_tree_description(tree_file)) {
+  if (!tree_file.empty() && !description::is_urdf(tree_file)) {
     texts = description::equations_of_tree(tree_text, tree_file);
   }
   for (const std::string& file : request.equations) {
@@ -209,24 +205,19 @@ UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& w
 program::Signature signature_of(const formulate::Derived& function, int dof, int points) {
   const equations::UserEquation& equation = function.equation;
   const block::Shape& shape = equation.expression.shape();
-  const auto array = [&](const std::string& name, int size, const std::string& unit) {
-    return program::Array{name, size, unit};
-  };
+  const auto [rows, columns] = size_of(function, dof, points);
   program::Signature signature;
   signature.name = equation.name;
   signature.equation = emit::for_comment(without_stars(equation.text), kLongestText);
   const std::string what = equation.doc.empty() ? "An equation of the user."
                                                 : emit::for_comment(equation.doc, kLongestText);
-  signature.brief =
-      fmt::format("{}{} value: {} x {}{}.", what, what.ends_with('.') ? "" : ".",
-                  count_of(shape.rows, dof, points), count_of(shape.cols, dof, points),
-                  shape.cols == block::Side{} ? "" : ", row-major");
+  signature.brief = fmt::format("{}{} value: {} x {}{}.", what, what.ends_with('.') ? "" : ".",
+                                rows, columns, shape.cols == block::Side{} ? "" : ", row-major");
   for (const equations::UserArgument& argument : equation.arguments) {
     signature.inputs.push_back(
-        array(argument.name, count_of(argument.side, dof, points), argument.unit));
+        {argument.name, count_of(argument.side, dof, points), argument.unit});
   }
-  const auto [rows, columns] = size_of(function, dof, points);
-  signature.outputs = {array("value", rows * columns, equation.unit)};
+  signature.outputs = {{"value", rows * columns, equation.unit}};
   signature.outputs.front().rows = rows;
   signature.outputs.front().columns = columns;
   return signature;

@@ -11,6 +11,7 @@
 #include "common/decimal.hpp"
 #include "common/index.hpp"
 #include "description/scene_reader.hpp"
+#include "description/vectors.hpp"
 #include "equations/table.hpp"
 #include "formulate/find_limbs.hpp"
 #include "model/scene_facts.hpp"
@@ -39,10 +40,6 @@ std::vector<Warning> places_without_effect(const Model& model, const Location& w
   return result;
 }
 
-bool presses(const model::Vector3& gravity, const model::Vector3& normal) {
-  return gravity[0] * normal[0] + gravity[1] * normal[1] + gravity[2] * normal[2] < 0;
-}
-
 /// Why what an impact stops in a phase that goes on does not stay there, which a generated step
 /// does not see; nothing if it may.
 std::string impact_without_rest(const model::Scene& scene, const model::Event& event) {
@@ -56,7 +53,7 @@ std::string impact_without_rest(const model::Scene& scene, const model::Event& e
            "`step` lets it go on beyond zero (at a touch_down they may)";
   }
   if (event.kind == model::EventKind::kHeight && impact.restitution == 0 &&
-      impact.rest_below == 0 && presses(scene.gravity, event.plane.normal) &&
+      impact.rest_below == 0 && description::dot(scene.gravity, event.plane.normal) < 0 &&
       model::floor_of(scene, event, model::struck(scene, event)) >= 0 &&
       std::ranges::none_of(scene.phases[to_index(event.then)].active, sticks)) {
     return fmt::format(
@@ -129,31 +126,25 @@ std::vector<Warning> effects_left_out(const Model& model, const Location& where)
 
 std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   std::vector<Warning> warnings = model.tree.warnings;
-  for (Warning& place :
-       places_without_effect(model, {request.scene.value_or(request.model), 0, 0})) {
-    warnings.push_back(std::move(place));
-  }
+  const auto add = [&](const std::vector<Warning>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  };
+  const Location where{request.scene.value_or(request.model), 0, 0};
+  add(places_without_effect(model, where));
   if (request.share_limbs && formulate::find_limbs(model.tree).empty()) {
-    const Location where{request.model, 0, 0};
-    warnings.push_back(
-        {where, fmt::format("no two limbs have the same structure; {} changes nothing",
-                            sharing_option(request))});
+    warnings.push_back({{request.model, 0, 0},
+                        fmt::format("no two limbs have the same structure; {} changes nothing",
+                                    sharing_option(request))});
   }
   if (request.checked && std::ranges::none_of(model.functions, equations::divides_by_pivots)) {
-    const Location where{request.scene.value_or(request.model), 0, 0};
     warnings.push_back(
         {where,
          "no function that is generated divides by the pivots of A; --checked changes "
          "nothing"});
   }
   if (model.scene) {
-    const Location where{request.scene.value_or(request.model), 0, 0};
-    for (Warning& impact : impacts_without_rest(*model.scene, where)) {
-      warnings.push_back(std::move(impact));
-    }
-    for (Warning& left_out : effects_left_out(model, where)) {
-      warnings.push_back(std::move(left_out));
-    }
+    add(impacts_without_rest(*model.scene, where));
+    add(effects_left_out(model, where));
     const bool has_errors = std::ranges::any_of(
         model.functions, [](const std::string& name) { return equations::find(name) != nullptr; });
     if (request.accuracy_samples > 0 && !has_errors && model.equations.empty()) {

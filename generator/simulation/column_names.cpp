@@ -42,15 +42,6 @@ std::vector<std::string> reaction_names(const model::Scene& scene) {
 
 namespace {
 
-bool turns(const model::Tree& tree, int coordinate) {
-  return tree.moved_by(coordinate).joint.type == model::JointType::kRevolute;
-}
-
-/// rad or m, per second.
-const char* speed_unit(const model::Tree& tree, int coordinate) {
-  return turns(tree, coordinate) ? "rad/s" : "m/s";
-}
-
 const std::string& point_name(const model::Scene& scene, int point) {
   return scene.points[static_cast<std::size_t>(point)].name;
 }
@@ -71,7 +62,7 @@ void add_forces(const model::Scene& scene, std::vector<Column>& result) {
   for (const auto& [effect, name] : model::kShownOfJoints) {
     for (const model::JointLaw& law : model::laws_of(scene.joint_laws, effect)) {
       result.push_back({fmt::format("{}[{}]", name, scene.tree.moved_by(law.joint).joint.name),
-                        turns(scene.tree, law.joint) ? "N m" : "N"});
+                        scene.tree.moved_by(law.joint).joint.turns() ? "N m" : "N"});
     }
   }
   for (const model::PointLaw& law : model::laws_of(scene.point_laws, "point_spring")) {
@@ -120,8 +111,9 @@ std::vector<Column> columns_of(const model::Scene& scene) {
   std::vector<Column> result;
   for (const bool rate : {false, true}) {
     for (int k = 0; k < scene.tree.dof(); ++k) {
-      result.push_back({fmt::format("{}[{}]", rate ? "qd" : "q", scene.tree.moved_by(k).joint.name),
-                        std::string(turns(scene.tree, k) ? "rad" : "m") + (rate ? "/s" : "")});
+      result.push_back(
+          {fmt::format("{}[{}]", rate ? "qd" : "q", scene.tree.moved_by(k).joint.name),
+           std::string(scene.tree.moved_by(k).joint.turns() ? "rad" : "m") + (rate ? "/s" : "")});
     }
   }
   add_reactions(scene, result);
@@ -190,7 +182,7 @@ std::string not_finite(const model::Scene& scene, double time, const std::vector
       "the motion is not finite at t = {:.6g} s; before, joint '{}' was at {:.6g} and moved at "
       "{:.3g} {}",
       time, tree.moved_by(joint).joint.name, state[fastest], state[n + fastest],
-      speed_unit(tree, joint));
+      tree.moved_by(joint).joint.turns() ? "rad/s" : "m/s");
 }
 
 }  // namespace treedyn::simulation

@@ -80,12 +80,9 @@ Eigen::Vector3d Constraints::position(const Item& item, double t) const {
 }
 
 void Constraints::begin(int constraint, double t, const Vector& q, const Terms& terms) {
-  Item& item = items_[static_cast<std::size_t>(constraint)];
-  if (item.pinned) {
+  const Item& item = items_[static_cast<std::size_t>(constraint)];
+  if (item.pinned || item.kind == ConstraintKind::kOrientation) {
     pin(constraint, t, q, terms);
-  }
-  if (item.kind == ConstraintKind::kOrientation) {
-    item.orientation = rotation(terms, item.point);
   }
 }
 
@@ -181,12 +178,12 @@ double Constraints::bias(const Terms& terms, const Row& row) const {
 }
 
 void Constraints::accelerations(const Terms& terms, const State& state, Vector& rhs) const {
-  rhs.resize(rows());
+  bends(terms, rhs);
   for (int k = 0; k < rows(); ++k) {
     const Item& c = item(at(k).item);
     const double wanted = is_held(k) ? at(k).d.dot(c.curve[2].at(state.t))
                                      : value_of(c.accelerations[at(k).number], state);
-    rhs[k] = wanted - bias(terms, at(k));
+    rhs[k] += wanted;
   }
 }
 

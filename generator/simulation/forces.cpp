@@ -106,15 +106,11 @@ Forces::Forces(const model::Scene& scene) {
   }
 }
 
-void Forces::add_joint_forces(const State& state, Vector& Q) const {
+void Forces::generalized(const Terms& terms, const State& state, Vector& Q) {
+  Q = Vector::Zero(state.q.size());
   for (const JointForce& force : joint_forces_) {
     Q[force.joint] += value_of(force.value, state);
   }
-}
-
-void Forces::generalized(const Terms& terms, const State& state, Vector& Q) {
-  Q = Vector::Zero(state.q.size());
-  add_joint_forces(state, Q);
   if (!terms.needs().points) {
     return;
   }

@@ -84,7 +84,6 @@ class Forces {
     model::Expression value;
   };
 
-  void add_joint_forces(const State& state, Vector& Q) const;
   void add_point_forces(const Terms& terms, const State& state);
   /// Of the expression of a point, after `v_` in the same state.
   [[nodiscard]] double value_at(int point, const model::Variable& variable, const Terms& terms,

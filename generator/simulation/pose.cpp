@@ -30,11 +30,11 @@ Pose::Pose(const model::Tree& tree, const model::Vector3& gravity)
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const model::Link& link = tree.links[i];
     const model::Drive& drive = tree.drives[i];
-    bodies_.push_back(
-        {drive.coordinate, static_cast<double>(drive.multiplier), static_cast<double>(drive.offset),
-         link.father, link.joint.type == model::JointType::kRevolute, vector_of(link.joint.axis),
-         vector_of(link.joint.offset), vector_of(link.inertia.com), matrix_of(link.joint.rotation),
-         matrix_of(link.inertia.about_com), static_cast<double>(link.inertia.mass)});
+    bodies_.push_back({drive.coordinate, static_cast<double>(drive.multiplier),
+                       static_cast<double>(drive.offset), link.father, link.joint.turns(),
+                       vector_of(link.joint.axis), vector_of(link.joint.offset),
+                       vector_of(link.inertia.com), matrix_of(link.joint.rotation),
+                       matrix_of(link.inertia.about_com), static_cast<double>(link.inertia.mass)});
   }
 }
 

@@ -49,7 +49,7 @@ Bounds bounds_of(const Settings& settings) {
 std::vector<int> turning(const model::Tree& tree) {
   std::vector<int> result;
   for (int k = 0; k < tree.dof(); ++k) {
-    if (tree.moved_by(k).joint.type == model::JointType::kRevolute) {
+    if (tree.moved_by(k).joint.turns()) {
       result.push_back(k);
     }
   }

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "model/force_laws.hpp"
 #include "model/reach.hpp"
 #include "model/scene_facts.hpp"
 #include "program/row_rank.hpp"

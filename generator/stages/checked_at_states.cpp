@@ -1,5 +1,3 @@
-#include "stages/checked_at_states.hpp"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -14,6 +12,7 @@
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 #include "request/limits.hpp"
+#include "stages/stages.hpp"
 #include "verify/at_states.hpp"
 #include "verify/scene_at_states.hpp"
 

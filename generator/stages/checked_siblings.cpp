@@ -1,8 +1,7 @@
-#include "stages/checked_siblings.hpp"
-
 #include "equations/table.hpp"
 #include "model/reach.hpp"
 #include "program/random.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 
@@ -21,7 +20,7 @@ std::vector<std::vector<double>> ordinary_states(const Model& model) {
   for (std::vector<double>& q : states) {
     for (int k = 0; k < model.tree.dof(); ++k) {
       const auto i = static_cast<std::size_t>(k);
-      const bool turns = model.tree.moved_by(k).joint.type == model::JointType::kRevolute;
+      const bool turns = model.tree.moved_by(k).joint.turns();
       q.push_back((turns ? kTurn : reach[i]) * random.symmetric());
     }
   }

@@ -1,5 +1,3 @@
-#include "stages/formulation.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -14,6 +12,7 @@
 #include "formulate/functions.hpp"
 #include "formulate/scene_functions.hpp"
 #include "request/limits.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 

@@ -1,5 +1,3 @@
-#include "stages/in_scalar.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,7 +6,7 @@
 
 #include "program/ones.hpp"
 #include "program/rounding.hpp"
-#include "stages/lost_pivots.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 
@@ -26,6 +24,9 @@ void for_each_function(const program::Programs& programs, Check check) {
 
 /// What float may lose of the largest result at some ordinary state before there is a warning.
 constexpr double kFloatLoses = 1e-2;
+
+/// By so much pivots of ordinary states exceed what passes for rounding if a bound of it is to do.
+constexpr double kOrdinaryMargin = 1e3;
 
 /// What the rounding of K in float does to the solution of K x = b, as a part of it: that of an
 /// entry, over the smallest pivot of ordinary states, in the best of them.
@@ -45,6 +46,9 @@ program::Programs in_scalar(program::Programs programs, const Model& model, emit
   }
   for (program::Staged& staged : programs.staged) {
     staged = program::without_ones(std::move(staged), is_one);
+    for (program::RowSolve& solve : staged.solves) {
+      solve.by_product = solve.product > kOrdinaryMargin * emit::pivot_rounding(solve.rows, scalar);
+    }
   }
   programs = with_tested_pivots(std::move(programs), model, scalar);
   for (program::Stepper& stepper : programs.steppers) {
@@ -90,9 +94,38 @@ std::vector<Warning> float_warnings(const program::Programs& programs, emit::Sca
   return result;
 }
 
-std::vector<Warning> warnings_of(const program::Programs& programs, const Request& request) {
-  const Location where{request.scene.value_or(request.model), 0, 0};
+namespace {
+
+/// Without an initial state a scene begins at zeros, where many robots are singular.
+std::vector<Warning> singular_beginnings(const program::Programs& programs, const Model& model,
+                                         const Location& where) {
   std::vector<Warning> result;
+  const auto is_zero = [](const Real& x) {
+    return x == 0;
+  };
+  if (!model.scene || !std::ranges::all_of(model.scene->q0, is_zero)) {
+    return result;
+  }
+  for (const program::Staged& staged : programs.staged) {
+    for (const program::RowSolve& solve : staged.solves) {
+      if (solve.elsewhere > solve.rank) {
+        result.push_back(
+            {where, fmt::format("function '{}': where the scene begins, with all joints at 0, its "
+                                "{} rows have rank {}, and {} elsewhere; what is generated is for "
+                                "motions from there; expected an initial position if others count",
+                                staged.signature.name, solve.rows, solve.rank, solve.elsewhere)});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Warning> warnings_of(const program::Programs& programs, const Model& model,
+                                 const Request& request) {
+  const Location where{request.scene.value_or(request.model), 0, 0};
+  std::vector<Warning> result = singular_beginnings(programs, model, where);
   for_each_function(programs, [&](const std::string& name, const program::Function& function) {
     const program::Rounding& rounding = function.rounding;
     if (rounding.refused > 0) {

@@ -1,5 +1,3 @@
-#include "stages/lost_pivots.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,7 +9,7 @@
 #include "description/vectors.hpp"
 #include "engine/engine.hpp"
 #include "program/interpret.hpp"
-#include "stages/checked_siblings.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 
@@ -139,7 +137,7 @@ std::vector<int> Joints::turning() const {
   for (int k = 0; k < tree_.dof(); ++k) {
     const int link = tree_.coordinates[to_index(k)];
     const model::Link& moved = tree_.links[to_index(link)];
-    if (moved.joint.type == model::JointType::kRevolute &&
+    if (moved.joint.turns() &&
         (is_free(link) || (moved.father != model::kGround && is_free(moved.father)))) {
       result.push_back(k);
     }

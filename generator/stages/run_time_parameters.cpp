@@ -1,5 +1,3 @@
-#include "stages/run_time_parameters.hpp"
-
 #include <set>
 
 #include <fmt/format.h>
@@ -7,6 +5,7 @@
 #include "emit/run_time.hpp"
 #include "model/parameters.hpp"
 #include "optimise/separate_parameters.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 

@@ -8,7 +8,7 @@
 #include "formulate/scene_sticking.hpp"
 #include "model/scene_facts.hpp"
 #include "request/step_checks.hpp"
-#include "stages/in_scalar.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 

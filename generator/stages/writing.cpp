@@ -1,5 +1,3 @@
-#include "stages/writing.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -9,15 +7,12 @@
 #include <fmt/format.h>
 
 #include "accuracy/core.hpp"
-#include "common/decimal.hpp"
 #include "emit/layout.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/functions.hpp"
 #include "formulate/stand_ins.hpp"
-#include "stages/checked_siblings.hpp"
-#include "stages/formulation.hpp"
 #include "stages/function_accuracy.hpp"
-#include "stages/in_scalar.hpp"
+#include "stages/stages.hpp"
 #include "version.hpp"
 
 namespace treedyn {

@@ -76,27 +76,18 @@ class States {
 /// \param derived  the elements of the argument behind `inputs`, if there is one
 Numbers interpreted(const program::Function& function, const std::vector<Values>& inputs,
                     const Numbers& derived) {
-  const auto values = program::node_values<Number>(
-      function.graph, function.outputs,
-      [&](int array, int element) {
-        const auto a = static_cast<std::size_t>(array);
-        const auto k = static_cast<std::size_t>(element);
-        TREEDYN_EXPECT(k < (a < inputs.size() ? inputs[a].size() : derived.size()));
-        return a < inputs.size() ? Number(inputs[a][k]) : derived[k];
-      },
-      [](program::Kind kind, const Number& a) {
-        const Real& x = a.value;
-        return Number::function(kind, a,
-                                kind == program::Kind::kSin   ? Real(sin(x))
-                                : kind == program::Kind::kCos ? Real(cos(x))
-                                                              : Real(sqrt(x)));
-      });
-  Numbers outputs;
-  for (const program::Ref output : function.outputs) {
-    const Number& value = values[program::node_index(output)];
-    outputs.push_back(output < 0 ? -value : value);
-  }
-  return outputs;
+  return program::outputs_of(
+      function, program::node_values<Number>(
+                    function.graph, function.outputs,
+                    [&](int array, int element) {
+                      const auto a = static_cast<std::size_t>(array);
+                      const auto k = static_cast<std::size_t>(element);
+                      TREEDYN_EXPECT(k < (a < inputs.size() ? inputs[a].size() : derived.size()));
+                      return a < inputs.size() ? Number(inputs[a][k]) : derived[k];
+                    },
+                    [](program::Kind kind, const Number& a) {
+                      return Number::function(kind, a, program::elementary(kind, a.value));
+                    }));
 }
 
 /// \throws std::range_error if the difference is what cancellation makes of numbers that many

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "accuracy/bound_search.hpp"
-#include "support/uniform.hpp"
+#include "support/states.hpp"
 
 namespace treedyn::accuracy {
 namespace {
@@ -36,7 +36,7 @@ double bound(const program::Function& function, const Box& box, const Arithmetic
 
 /// In float over random states of the box, against 50 digits.
 double largest_error(const program::Function& function, const Box& box, int states = 20000) {
-  support::Uniform uniform(11);
+  support::Random uniform(11);
   double largest = 0;
   for (int k = 0; k < states; ++k) {
     std::vector<double> x;
@@ -187,7 +187,7 @@ TEST(BoundsOver, AreSmallerOfPiecesAndStillBounds) {
 }
 
 TEST(Interval, ContainsWhatOperationsGive) {
-  support::Uniform uniform(5);
+  support::Random uniform(5);
   for (int k = 0; k < 20000; ++k) {
     const auto range = [&] {
       const double a = uniform(-4, 4);

@@ -1,7 +1,6 @@
 // Gappa, which knows nothing of our bounds, proves those of small functions from their operations.
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

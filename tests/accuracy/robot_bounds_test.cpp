@@ -11,7 +11,7 @@
 #include "engine/engine.hpp"
 #include "formulate/formulate.hpp"
 #include "program/ones.hpp"
-#include "support/uniform.hpp"
+#include "support/states.hpp"
 
 namespace treedyn::accuracy {
 namespace {
@@ -78,7 +78,7 @@ program::Function made(const model::Tree& tree, const std::string& name) {
 /// Numbers of T, one of four at an end of its range, in the centre or at a right angle.
 template <class T>
 std::vector<std::vector<T>> random_inputs(const program::Signature& signature, const Box& box,
-                                          support::Uniform& uniform) {
+                                          support::Random& uniform) {
   std::vector<std::vector<T>> result;
   auto range = box.begin();
   for (const program::Array& array : signature.inputs) {
@@ -146,7 +146,7 @@ double expect_never_exceeded(Case& of, emit::Scalar scalar) {
   const BoundsOver bounds =
       bounds_over(function, {scalar, emit::Sincos::kPair}, {box, scales, kCuts});
   EXPECT_EQ(bounds.obstacle, "");
-  support::Uniform uniform(1);
+  support::Random uniform(1);
   double largest = 0;
   for (int k = 0; k < kStates; ++k) {
     const auto inputs = random_inputs<T>(function.signature, box, uniform);

@@ -8,12 +8,15 @@
 #include <fmt/format.h>
 
 #include "engine/engine.hpp"
+#include "oracle/from_tree.hpp"
 #include "program/interpret.hpp"
 #include "support/states.hpp"
 
 namespace treedyn::benchmark {
 
 namespace {
+
+using oracle::largest;
 
 const model::Vector3 kGravity{Real(0), Real(0), Real("-9.81")};
 
@@ -99,14 +102,6 @@ std::vector<T> run(const program::Function& function, const support::Sample& sam
   }
   inputs.assign(arrays.begin(), arrays.end());
   return program::interpret<T>(function, inputs);
-}
-
-Real largest(const std::vector<Real>& values) {
-  Real result = 0;
-  for (const Real& value : values) {
-    result = std::max(result, Real(abs(value)));
-  }
-  return result;
 }
 
 template <class T>

@@ -2,8 +2,6 @@
 // and more states, on one arm.
 #include "benchmark/accuracy.hpp"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "description/read.hpp"

@@ -4,7 +4,6 @@
 #include <dart/dynamics/RevoluteJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/dynamics/TranslationalJoint.hpp>
-#include <stdexcept>
 
 #include "benchmark/contestant.hpp"
 

@@ -95,14 +95,6 @@ long cycles_of(const std::string& instruction, const std::string& operands) {
   return 1;
 }
 
-support::Outcome checked(const std::vector<std::string>& command) {
-  support::Outcome outcome = support::run(command);
-  if (outcome.status != 0) {
-    throw std::runtime_error(fmt::format("{}: {}", command.front(), outcome.err));
-  }
-  return outcome;
-}
-
 std::vector<std::string> compile(const std::vector<std::string>& more) {
   std::vector<std::string> command = kCompile;
   command.insert(command.end(), more.begin(), more.end());
@@ -118,7 +110,8 @@ struct Executed {
 /// Cycles by address of the instructions of an image.
 std::map<long, long> cycles_by_address(const fs::path& image) {
   std::map<long, long> result;
-  std::istringstream lines(checked({kTool + "objdump", "-d", "--no-show-raw-insn", image}).out);
+  std::istringstream lines(
+      support::run_checked({kTool + "objdump", "-d", "--no-show-raw-insn", image}).out);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string address;
@@ -138,13 +131,14 @@ Executed executed(const Function& function, int calls, const fs::path& sources,
                   const fs::path& work) {
   const std::string image = work / "image.elf";
   const std::string log = work / "log";
-  checked(compile({fmt::format("-DCALLS={}", calls), fmt::format("-DFUNCTION={}", function.name),
-                   fmt::format("-DARGUMENTS={}", function.arguments), "-I", work.string(),
-                   sources / "image.cpp", work / "generated.o", "-T", sources / "image.ld",
-                   "-nostartfiles", "--specs=nosys.specs", "-o", image}));
-  checked({"qemu-system-arm", "-M", "mps2-an386", "-display", "none", "-monitor", "none", "-serial",
-           "none", "-semihosting-config", "enable=on,target=native", "-singlestep", "-d",
-           "exec,nochain", "-D", log, "-kernel", image});
+  support::run_checked(
+      compile({fmt::format("-DCALLS={}", calls), fmt::format("-DFUNCTION={}", function.name),
+               fmt::format("-DARGUMENTS={}", function.arguments), "-I", work.string(),
+               sources / "image.cpp", work / "generated.o", "-T", sources / "image.ld",
+               "-nostartfiles", "--specs=nosys.specs", "-o", image}));
+  support::run_checked({"qemu-system-arm", "-M", "mps2-an386", "-display", "none", "-monitor",
+                        "none", "-serial", "none", "-semihosting-config", "enable=on,target=native",
+                        "-singlestep", "-d", "exec,nochain", "-D", log, "-kernel", image});
   const std::map<long, long> cycles = cycles_by_address(image);
   std::istringstream lines(support::read_file(log));
   Executed result;
@@ -193,12 +187,12 @@ Figures measured(const Function& function, const Places& places, const std::stri
   command.insert(command.end(), {"--base", "axes", "--scalar", "float", "--name", "generated",
                                  "--functions", function.name, "-q", "-o", work});
   command.insert(command.end(), options.begin(), options.end());
-  checked(command);
+  support::run_checked(command);
   const fs::path object = work / "generated.o";
   const auto compiled = [&](const std::vector<std::string>& more) {
     std::vector<std::string> flags{"-fstack-usage", "-c", work / "generated.cpp", "-o", object};
     flags.insert(flags.end(), more.begin(), more.end());
-    checked(compile(flags));
+    support::run_checked(compile(flags));
     const Executed once = executed(function, 1, places.sources, work);
     const Executed twice = executed(function, 2, places.sources, work);
     return Compiled{{twice.instructions - once.instructions, twice.cycles - once.cycles},

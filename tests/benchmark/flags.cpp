@@ -72,13 +72,6 @@ const std::vector<Way> kWays = {
     {"clang++", {"-O3"}},
 };
 
-void checked(const std::vector<std::string>& command) {
-  const support::Outcome outcome = support::run(command);
-  if (outcome.status != 0) {
-    throw std::runtime_error(fmt::format("{}: {}", command.front(), outcome.err));
-  }
-}
-
 /// The source without the line that begins with `#pragma GCC optimize`.
 std::string with_slp(std::string source) {
   const std::size_t begin = source.find("#pragma GCC optimize");
@@ -95,8 +88,9 @@ fs::path object_of(const fs::path& folder, std::size_t way) {
 /// Writes generated.* and an object a way into a folder.
 void build(const std::string& treedyn, const fs::path& model, const Robot& robot,
            const fs::path& code, const fs::path& folder) {
-  checked({treedyn, "generate", model, "--base", robot.base, "--name", "generated", "--functions",
-           "mass_matrix,inverse_dynamics,forward_dynamics", "-q", "-o", folder});
+  support::run_checked({treedyn, "generate", model, "--base", robot.base, "--name", "generated",
+                        "--functions", "mass_matrix,inverse_dynamics,forward_dynamics", "-q", "-o",
+                        folder});
   support::write_file(folder / "slp.cpp", with_slp(support::read_file(folder / "generated.cpp")));
   for (std::size_t k = 0; k < kWays.size(); ++k) {
     std::vector<std::string> command{kWays[k].compiler, "-std=c++20", "-fPIC", "-shared"};
@@ -104,7 +98,7 @@ void build(const std::string& treedyn, const fs::path& model, const Robot& robot
     command.insert(command.end(), {"-I", folder, "-I", code.parent_path().parent_path(), code,
                                    folder / (kWays[k].slp ? "slp.cpp" : "generated.cpp"), "-o",
                                    object_of(folder, k)});
-    checked(command);
+    support::run_checked(command);
   }
 }
 

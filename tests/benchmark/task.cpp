@@ -1,7 +1,6 @@
 #include "benchmark/task.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -15,6 +14,7 @@ namespace treedyn::benchmark {
 
 namespace {
 
+using oracle::largest;
 using RealList = std::vector<Real>;
 
 const model::Vector3 kGravity{Real(0), Real(0), Real("-9.81")};
@@ -39,16 +39,6 @@ std::vector<State> random_states(const model::Tree& tree) {
   return states;
 }
 
-template <class T>
-oracle::Problem<T> problem_of(const model::Tree& tree, const std::vector<model::Point>& points) {
-  oracle::Problem<T> result{oracle::from_tree<T>(tree), oracle::converted<T>(kGravity), {}};
-  for (const model::Point& point : points) {
-    result.points.push_back(
-        {point.link, oracle::converted<T>(point.at), oracle::converted<T>(point.rotation)});
-  }
-  return result;
-}
-
 RealList real(const Vector& values) { return {values.begin(), values.end()}; }
 
 const char* name_of(Quantity quantity) {
@@ -66,14 +56,6 @@ std::vector<RealList> inputs_of(Quantity quantity, const State& state) {
     default:
       return {real(state.q)};
   }
-}
-
-Real largest(const RealList& values) {
-  Real result = 0;
-  for (const Real& value : values) {
-    result = std::max(result, Real(abs(value)));
-  }
-  return result;
 }
 
 /// |A d| and the size of the products that its rows sum.
@@ -120,7 +102,7 @@ Task make_task(const RobotInfo& robot) {
   task.robot = robot.name;
   task.tree = description::read_model(robot.model, options);
   task.points = description::resolve_points(task.tree, robot.points);
-  task.problem = problem_of<double>(task.tree, task.points);
+  task.problem = oracle::problem_of<double>(task.tree, task.points, kGravity);
   task.states = random_states(task.tree);
   return task;
 }
@@ -140,7 +122,7 @@ std::vector<std::unique_ptr<Contestant>> contestants(const Task& task, const Rob
 }
 
 double checked_error(const Task& task, Contestant& contestant, Quantity quantity) {
-  const oracle::Problem<Real> problem = problem_of<Real>(task.tree, task.points);
+  const oracle::Problem<Real> problem = oracle::problem_of<Real>(task.tree, task.points, kGravity);
   // 100 N roundings of the largest entry, as between any two algorithms in double precision.
   const double allowed = 100 * static_cast<double>(task.dof()) * 0x1p-53;
   double error = 0;

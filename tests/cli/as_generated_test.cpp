@@ -31,15 +31,17 @@ std::vector<double> last_state(const Json& result, std::size_t count) {
   return values;
 }
 
-/// Ends of the motion of a scene of the two-link arm: of generated code and of the simulator.
-std::vector<Json> both_ends(const std::string& lines) {
+const std::string kTwoLink = TREEDYN_SOURCE_DIR "/models/two_link.yaml";
+
+/// Ends of the motion of a scene: of generated code and of the simulator.
+std::vector<Json> both_ends(const std::string& lines, const std::string& model = kTwoLink,
+                            const std::vector<std::string>& simulator = {}) {
   const TemporaryFolder folder;
   const std::string scene = (folder.path() / "s.yaml").string();
-  write_file(scene, "scene: s\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
-                        "/models/two_link.yaml\n" + lines);
+  write_file(scene, "scene: s\nmodel: " + model + "\n" + lines);
   std::vector<Json> result;
   for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--as-generated"}, std::vector<std::string>{}}) {
+       {std::vector<std::string>{"--as-generated"}, simulator}) {
     const Outcome outcome = simulated(scene, options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     result.push_back(outcome.status == 0 ? Json::parse(outcome.out) : Json());
@@ -66,18 +68,9 @@ TEST(AsGenerated, FindsTheWaysOfTwoJointsThatStick) {
 /// The ends of the motion of a scene of its own model.
 std::vector<Json> both_ends_of(const std::string& model, const std::string& scene) {
   const TemporaryFolder folder;
-  write_file((folder.path() / "model.yaml").string(), model);
-  const std::string file = (folder.path() / "s.yaml").string();
-  write_file(file, "scene: s\nmodel: model.yaml\n" + scene);
-  std::vector<Json> result;
-  for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--as-generated"},
-        std::vector<std::string>{"--integrator", "fehlberg78"}}) {
-    const Outcome outcome = simulated(file, options);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    result.push_back(outcome.status == 0 ? Json::parse(outcome.out) : Json());
-  }
-  return result;
+  const std::string file = (folder.path() / "model.yaml").string();
+  write_file(file, model);
+  return both_ends(scene, file, {"--integrator", "fehlberg78"});
 }
 
 const std::string kBall =

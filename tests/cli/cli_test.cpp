@@ -762,6 +762,24 @@ TEST_F(Cli, CountsBaseParameters) {
       StartsWith("base parameters: 104 of 180;"));
 }
 
+// An axis that is vertical but for 7.3e-6 rad: gravity moves the first link by that much.
+TEST_F(Cli, NamesBaseParametersThatHardlyCount) {
+  const std::string text =
+      "name: arm\nlinks:\n"
+      "  - {name: a, father: ground, mass: 1, com: [0.1, 0, 0], inertia: [1, 0, 0, 1, 0, 1],\n"
+      "     joint: {name: j, type: revolute, axis: [0, 0, 1], rotation: {rpy: [ROLL, 0, 0]}}}\n"
+      "  - {name: b, father: a, mass: 1, com: [0.1, 0, 0], inertia: [1, 0, 0, 1, 0, 1],\n"
+      "     joint: {name: k, type: revolute, axis: [0, 1, 0], offset: [0.3, 0, 0]}}\n";
+  const auto base_parameters = [&](const std::string& roll) {
+    std::string model = text;
+    write_file(scratch("arm.yaml"), model.replace(model.find("ROLL"), 4, roll));
+    return treedyn({"info", scratch("arm.yaml"), "-q", "--base-parameters"}).out;
+  };
+  EXPECT_THAT(base_parameters("pi"), Not(HasSubstr("can hardly be measured")));
+  EXPECT_THAT(base_parameters("3.1416"), HasSubstr("2 of them can hardly be measured"));
+  EXPECT_THAT(base_parameters("3.1416"), HasSubstr("a.m_c_x (7."));
+}
+
 TEST_F(Cli, PrintsWhatLeavesAStage) {
   EXPECT_THAT(treedyn({"generate", kModel, "--dump", "model"}).out,
               HasSubstr("link 1 forearm father 0"));

@@ -3,7 +3,6 @@
 // difference is the zero polynomial. Mechanisms and models whose numbers are decimals and whose
 // axes are coordinate axes, so that the constants of the programs are exact.
 #include <algorithm>
-#include <map>
 
 #include <gtest/gtest.h>
 
@@ -22,6 +21,7 @@ namespace treedyn {
 namespace {
 
 using expansion::Expanded;
+using support::chain;
 
 /// A fraction of elements of the ring.
 struct Fraction {
@@ -83,14 +83,6 @@ struct Mechanism {
   std::vector<std::string_view> dear = {};  ///< functions whose polynomials take minutes
 };
 void PrintTo(const Mechanism& mechanism, std::ostream* stream) { *stream << mechanism.name; }
-
-support::TreeShape chain(const std::string& types) {
-  support::TreeShape shape{{}, types};
-  for (int i = 0; i < static_cast<int>(types.size()); ++i) {
-    shape.father.push_back(i - 1);
-  }
-  return shape;
-}
 
 /// Turns by quarters, axes along x, y or z, numbers of two digits.
 model::Tree decimal_tree(const support::TreeShape& shape, support::Dice& dice) {

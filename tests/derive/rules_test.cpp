@@ -225,9 +225,9 @@ TEST(R6, LeavesSymmetricMatricesWhoseBranchesMeet) {
   }
 }
 
-/// (2): values of the derivation.
-std::vector<Value> of_mass_matrix(Op op) {
-  const Derivation derivation = derive(mass_matrix(), false, false);
+/// Values of the derivation with an operation.
+std::vector<Value> values_of(const Expression& e, Op op) {
+  const Derivation derivation = derive(e, false, false);
   std::vector<Value> result;
   for (const int id : derivation.values.needed(derivation.roots)) {
     if (derivation.values[id].op == op) {
@@ -238,11 +238,12 @@ std::vector<Value> of_mass_matrix(Op op) {
 }
 
 TEST(R7, MakesTwoSidedWordsComposites) {
-  EXPECT_TRUE(of_mass_matrix(Op::kPath).empty());  // nothing travels from the root
-  EXPECT_TRUE(of_mass_matrix(Op::kPathStrict).empty());
-  EXPECT_EQ(of_mass_matrix(Op::kSubtree).size(), 2U);   // m^c and the force of the column
-  EXPECT_EQ(of_mass_matrix(Op::kBackward).size(), 2U);  // h^c and the moment of the column
-  EXPECT_EQ(of_mass_matrix(Op::kComposite).size(), 1U);
+  EXPECT_TRUE(values_of(mass_matrix(), Op::kPath).empty());  // nothing travels from the root
+  EXPECT_TRUE(values_of(mass_matrix(), Op::kPathStrict).empty());
+  EXPECT_EQ(values_of(mass_matrix(), Op::kSubtree).size(), 2U);  // m^c and the force of the column
+  EXPECT_EQ(values_of(mass_matrix(), Op::kBackward).size(),
+            2U);  // h^c and the moment of the column
+  EXPECT_EQ(values_of(mass_matrix(), Op::kComposite).size(), 1U);
 }
 
 /// A factor C of B = C q̇ for which dA/dt - 2 C is skew.
@@ -497,15 +498,18 @@ TEST(R3, LetsRowsOfAllLinksShareTheirSums) {
   EXPECT_EQ(count_of_column(momentum, Op::kBackward, false), 1);  // h^c
 }
 
-TEST(R10, MakesMassesTimesCentresFirstMoments) {
-  for (const Expression& e :
-       {gravity_force(), potential_energy(), bias_force(), inverse_dynamics()}) {
+void expect_no_centres(std::initializer_list<Expression> expressions) {
+  for (const Expression& e : expressions) {
     const Derivation derivation = derive(e, false, false);
     for (const int id : derivation.values.needed(derivation.roots)) {
       EXPECT_NE(derivation.values[id].name, "c^d");
       EXPECT_NE(derivation.values[id].name, "J_c^d");
     }
   }
+}
+
+TEST(R10, MakesMassesTimesCentresFirstMoments) {
+  expect_no_centres({gravity_force(), potential_energy(), bias_force(), inverse_dynamics()});
 }
 
 /// Angular momentum has no centres left, about any point.
@@ -515,15 +519,9 @@ TEST(R10, MakesMomentsOfMomentaInertias) {
   const Expression mean = transpose(ones) * m_d * (D * s_d * ones + c_d * ones);
   const Expression about_mean =
       transpose(ones) * skew(block::diagb(D * s_d * ones + c_d * ones - ones * mean));
-  for (const Expression& e : {moment_of(m_d * J_v * qd) + transpose(ones) * rest,
-                              about_mean * m_d * J_v * qd + transpose(ones) * rest,
-                              about_mean * m_d * J_v + transpose(ones) * J_d * D * z_d * sigma}) {
-    const Derivation derivation = derive(e, false, false);
-    for (const int id : derivation.values.needed(derivation.roots)) {
-      EXPECT_NE(derivation.values[id].name, "c^d");
-      EXPECT_NE(derivation.values[id].name, "J_c^d");
-    }
-  }
+  expect_no_centres({moment_of(m_d * J_v * qd) + transpose(ones) * rest,
+                     about_mean * m_d * J_v * qd + transpose(ones) * rest,
+                     about_mean * m_d * J_v + transpose(ones) * J_d * D * z_d * sigma});
 }
 
 TEST(R10, KeepsCentresWhoseTermsDoNotMakeUpAnInertia) {
@@ -569,35 +567,24 @@ TEST(F1, TakesTheSlidesOfJointsIntoTheRatesOfTheirPlaces) {
   EXPECT_FALSE(slides(false).contains(Op::kScale));  // s has its own
 }
 
-/// Values of inverse dynamics with an operation.
-std::vector<Value> of_inverse_dynamics(Op op) {
-  const Derivation derivation = derive(inverse_dynamics(), false, false);
-  std::vector<Value> result;
-  for (const int id : derivation.values.needed(derivation.roots)) {
-    if (derivation.values[id].op == op) {
-      result.push_back(derivation.values[id]);
-    }
-  }
-  return result;
-}
-
 TEST(F2, LetsPathsStartWithGravity) {
-  const std::vector<Value> paths = of_inverse_dynamics(Op::kPath);  // ω, α and a
+  const std::vector<Value> paths = values_of(inverse_dynamics(), Op::kPath);  // ω, α and a
   ASSERT_EQ(paths.size(), 3U);
   EXPECT_EQ(std::count_if(paths.begin(), paths.end(),
                           [](const Value& v) { return v.operands.size() == 2; }),
             1);
-  EXPECT_EQ(of_inverse_dynamics(Op::kSubtree).size(), 1U);  // no sums of masses beside forces
-  EXPECT_EQ(of_inverse_dynamics(Op::kBackward).size(), 1U);
+  EXPECT_EQ(values_of(inverse_dynamics(), Op::kSubtree).size(),
+            1U);  // no sums of masses beside forces
+  EXPECT_EQ(values_of(inverse_dynamics(), Op::kBackward).size(), 1U);
 }
 
 TEST(F3, TakesTurningTensorsFromFathers) {
-  EXPECT_EQ(of_inverse_dynamics(Op::kFather).size(), 1U);
-  EXPECT_EQ(of_inverse_dynamics(Op::kSkewProduct).size(), 1U);  // Λ(ω)², none of ω_f
+  EXPECT_EQ(values_of(inverse_dynamics(), Op::kFather).size(), 1U);
+  EXPECT_EQ(values_of(inverse_dynamics(), Op::kSkewProduct).size(), 1U);  // Λ(ω)², none of ω_f
 }
 
 TEST(F4, WritesMomentsWithPseudoInertias) {
-  EXPECT_EQ(of_inverse_dynamics(Op::kMoment).size(), 1U);
+  EXPECT_EQ(values_of(inverse_dynamics(), Op::kMoment).size(), 1U);
   EXPECT_EQ(count(transpose(D) * J_d * D * w, Op::kMoment), 0);
 }
 

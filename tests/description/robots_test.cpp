@@ -1,7 +1,6 @@
 // The reader against the bodies that Pinocchio made of published robots (robots/README.md).
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>

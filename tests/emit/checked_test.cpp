@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

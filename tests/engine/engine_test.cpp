@@ -18,13 +18,8 @@ using Eigen::VectorXd;
 const model::Vector3 kGravity{0, 0, Real(-9.75)};
 
 model::Tree chain(const std::string& types) {
-  support::TreeShape shape;
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    shape.father.push_back(static_cast<int>(i) - 1);
-  }
-  shape.types = types;
   support::Dice dice(1);
-  return support::random_tree(shape, dice);
+  return support::random_tree(support::chain(types), dice);
 }
 
 model::Point point_on(int link, double x, double y, double z) {

@@ -1,6 +1,4 @@
 // The engine on the golden cases of EQUATIONS.md 9.
-#include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 

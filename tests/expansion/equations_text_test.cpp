@@ -25,7 +25,7 @@ TEST(Dump, ShowsClosedFormOfPolarArm) {
             "  1  joint2  prismatic  father joint1\n"
             "\n"
             "D, N×N\n"
-            "  blocks that are not zero: 3 of 4\n"
+            "  blocks that D leaves: 3 of 4\n"
             "    x.\n"
             "    xx\n"
             "\n"
@@ -34,7 +34,7 @@ TEST(Dump, ShowsClosedFormOfPolarArm) {
             "  c_fD = l_D + c^d D\n"
             "  J_v = D z^d (E-σ) + Λ^T(c_fD) z^d σ\n"
             "  A = σ z^dT (-(Λ(c_fD))^T m^d J_v + D^T J_c^d D z^d σ) + (E-σ) z^dT D^T m^d J_v\n"
-            "  blocks that are not zero: 4 of 4\n"
+            "  blocks that D leaves: 4 of 4\n"
             "    xx\n"
             "    xx\n"
             "  [0,0] = 2.5*q_joint2^2 + 0.215\n"
@@ -45,7 +45,7 @@ TEST(Dump, ShowsClosedFormOfPolarArm) {
             "Λ^T(Λ^T(c_fD) z^d σ q̇^d D + Λ^T(c_fD) diagb((D-E) z^d σ q̇))\n"
             "  B = σ z^dT (-(Λ(c_fD))^T m^d K(c_ii) + D^T J_c^d D σ q̇^d Λ^T(z^d) (D-E) + "
             "D^T Λ(diagb(D z^d σ q̇)) J_c^d D) z^d σ q̇ + (E-σ) z^dT D^T m^d K(c_ii) z^d σ q̇\n"
-            "  blocks that are not zero: 2 of 2\n"
+            "  blocks that D leaves: 2 of 2\n"
             "  [0,0] = 5*q_joint2*qd_joint1*qd_joint2\n"
             "  [1,0] = -2.5*q_joint2*qd_joint1^2\n");
 }

@@ -14,6 +14,7 @@ namespace treedyn::expansion {
 namespace {
 
 using block::Expression;
+using support::chain;
 
 struct Mechanism {
   const char* name;
@@ -21,14 +22,6 @@ struct Mechanism {
 };
 
 void PrintTo(const Mechanism& mechanism, std::ostream* stream) { *stream << mechanism.name; }
-
-support::TreeShape chain(const std::string& types) {
-  support::TreeShape shape{{}, types};
-  for (int i = 0; i < static_cast<int>(types.size()); ++i) {
-    shape.father.push_back(i - 1);
-  }
-  return shape;
-}
 
 std::vector<Mechanism> mechanisms() {
   return {{"RRR", chain("RRR")},

@@ -97,15 +97,6 @@ std::vector<Robot> robots() {
   };
 }
 
-support::Outcome checked(const Words& command) {
-  support::Outcome outcome = support::run(command);
-  if (outcome.status != 0) {
-    throw std::runtime_error(
-        fmt::format("{}: {}{}", fmt::join(command, " "), outcome.out, outcome.err));
-  }
-  return outcome;
-}
-
 bool is_there(const std::string& program) {
   try {
     return support::run({program, "--version"}).status == 0;
@@ -190,18 +181,19 @@ Words scalar_option(const Robot& robot) {
 }
 
 Lines on_the_host(const Robot& robot, const Places& places, const fs::path& work) {
-  checked(joined({"g++", "-std=c++17", "-O2", kExact, "-I", places.sources, "-I", work,
-                  work / "generated.cpp", work / "calls.cpp", places.sources / "exercise.cpp",
-                  places.sources / "host.cpp", "-o", work / "host"},
-                 scalar_option(robot)));
-  return lines_of(checked({work / "host"}).out);
+  support::run_checked(
+      joined({"g++", "-std=c++17", "-O2", kExact, "-I", places.sources, "-I", work,
+              work / "generated.cpp", work / "calls.cpp", places.sources / "exercise.cpp",
+              places.sources / "host.cpp", "-o", work / "host"},
+             scalar_option(robot)));
+  return lines_of(support::run_checked({work / "host"}).out);
 }
 
 /// Instructions of a call on the host, counted by callgrind in ten.
 long on_the_host(const fs::path& work, const std::string& function) {
   const support::Outcome outcome =
-      checked({"valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
-               fmt::format("--toggle-collect=*call_{}()", function), work / "host"});
+      support::run_checked({"valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
+                            fmt::format("--toggle-collect=*call_{}()", function), work / "host"});
   const std::size_t place = outcome.err.find("Collected : ");
   if (place == std::string::npos) {
     throw std::runtime_error("valgrind has not counted: " + outcome.err);
@@ -212,13 +204,13 @@ long on_the_host(const fs::path& work, const std::string& function) {
 /// Bytes of code and constants; nothing may be in .data or .bss, and nothing may miss a function
 /// for double.
 long flash_of(const std::string& object, bool is_float) {
-  for (const auto& [symbol, unused] :
-       lines_of(checked({"arm-none-eabi-nm", "-u", "--format=just-symbols", object}).out)) {
+  for (const auto& [symbol, unused] : lines_of(
+           support::run_checked({"arm-none-eabi-nm", "-u", "--format=just-symbols", object}).out)) {
     if (is_float && (symbol.rfind("__aeabi_d", 0) == 0 || symbol == "__aeabi_f2d")) {
       throw std::runtime_error(fmt::format("{} calls {}", object, symbol));
     }
   }
-  std::istringstream words(checked({"arm-none-eabi-size", object}).out);
+  std::istringstream words(support::run_checked({"arm-none-eabi-size", object}).out);
   std::string heading;
   std::getline(words, heading);
   long text = 0;
@@ -244,9 +236,9 @@ Lines on_a_core(const Robot& robot, const Places& places, const fs::path& work, 
                                                     "-I", places.sources / "include"})),
              scalar_option(robot));
   const std::string object = work / "generated.o";
-  checked(joined(options, {optimisation, "-c", work / "generated.cpp", "-o", object}));
+  support::run_checked(joined(options, {optimisation, "-c", work / "generated.cpp", "-o", object}));
   *flash = flash_of(object, robot.is_float);
-  checked(
+  support::run_checked(
       joined(options,
              {"-O1", work / "calls.cpp", places.sources / "exercise.cpp",
               places.sources / "image.cpp", object, "-nostartfiles", "-T",
@@ -340,8 +332,8 @@ using Fused = std::map<std::string, int>;
 /// Multiply-adds by the names of a model's functions, counted in the same text.
 Fused fused_of(const Robot& robot, const Places& places) {
   Fused result;
-  const support::Outcome outcome = checked(joined(joined({places.treedyn, "info"}, robot.arguments),
-                                                  {"--effort", kEffort, "-q", "--json"}));
+  const support::Outcome outcome = support::run_checked(joined(
+      joined({places.treedyn, "info"}, robot.arguments), {"--effort", kEffort, "-q", "--json"}));
   const nlohmann::json info = nlohmann::json::parse(outcome.out);
   for (const nlohmann::json& function : info.at("functions")) {
     result[function.at("name")] = function.at("fused");
@@ -377,9 +369,10 @@ int measure(const Robot& robot, const Places& places, Budgets& budgets, Counts& 
   const fs::path& work = folder.path();
   fs::current_path(places.models);
   const Words functions = robot.functions.empty() ? Words{} : Words{"--functions", robot.functions};
-  checked(joined(joined({places.treedyn, "generate"}, joined(robot.arguments, functions)),
-                 {"--scalar", robot.is_float ? "float" : "double", "--name", "generated",
-                  "--sincos", "pair", "--effort", kEffort, "-q", "-o", work}));
+  support::run_checked(
+      joined(joined({places.treedyn, "generate"}, joined(robot.arguments, functions)),
+             {"--scalar", robot.is_float ? "float" : "double", "--name", "generated", "--sincos",
+              "pair", "--effort", kEffort, "-q", "-o", work}));
   const support::Manifest manifest = support::read_manifest(work / "generated.json");
   support::write_file(work / "calls.cpp", calls_text(manifest));
   const Lines host = on_the_host(robot, places, work);

@@ -1,6 +1,5 @@
 // How operation counts grow with the robot: linear for bias force and inverse dynamics, as the sum
 // of depths for the mass matrix. The test prints them.
-#include <cmath>
 #include <map>
 #include <string>
 

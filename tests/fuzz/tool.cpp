@@ -2,7 +2,6 @@
 // whose structure was changed. Every run has to end with status 0, or 1 and one clear message, in
 // bounded time, and leaves nothing half written. Inputs for which this is not so are printed, and
 // kept in the folder KEEP.
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>

@@ -2,7 +2,6 @@
 // scalar types. The tolerance of every number is the running error bound of the code itself
 // (support/measured.hpp), so it follows from the operations executed and the sizes of the operands.
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <fmt/format.h>

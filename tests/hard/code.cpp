@@ -1,7 +1,5 @@
 #include "hard/code.hpp"
 
-#include <numeric>
-
 #include "common/index.hpp"
 #include "formulate/scene_drift.hpp"
 #include "model/scene_facts.hpp"

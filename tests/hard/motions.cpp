@@ -1,6 +1,5 @@
 // Periods, rates and branches of smooth motions.
 #include <algorithm>
-#include <cmath>
 
 #include <Eigen/Geometry>
 

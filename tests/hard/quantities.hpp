@@ -1,7 +1,6 @@
 // The quantities of hard cases.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>

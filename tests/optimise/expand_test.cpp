@@ -1,7 +1,6 @@
-#include "optimise/expand.hpp"
-
 #include <gtest/gtest.h>
 
+#include "optimise/passes.hpp"
 #include "program/random_function.hpp"
 
 namespace treedyn::optimise {

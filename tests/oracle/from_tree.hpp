@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/tree.hpp"
-#include "oracle/recursive.hpp"
+#include "oracle/functions.hpp"
 
 namespace treedyn::oracle {
 
@@ -28,6 +28,25 @@ Robot<T> from_tree(const model::Tree& tree) {
                       converted<T>(joint.axis), converted<T>(joint.offset),
                       converted<T>(joint.rotation), static_cast<T>(link.inertia.mass),
                       converted<T>(link.inertia.com), converted<T>(link.inertia.about_com)});
+  }
+  return result;
+}
+
+template <class T>
+Problem<T> problem_of(const model::Tree& tree, const std::vector<model::Point>& points,
+                      const model::Vector3& gravity) {
+  Problem<T> result{from_tree<T>(tree), converted<T>(gravity), {}};
+  for (const model::Point& point : points) {
+    result.points.push_back({point.link, converted<T>(point.at), converted<T>(point.rotation)});
+  }
+  return result;
+}
+
+/// max|x|
+inline Real largest(const std::vector<Real>& values) {
+  Real result = 0;
+  for (const Real& value : values) {
+    result = std::max(result, Real(abs(value)));
   }
   return result;
 }

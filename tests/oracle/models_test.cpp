@@ -21,7 +21,9 @@
 namespace treedyn {
 namespace {
 
+using oracle::largest;
 using oracle::Problem;
+using oracle::problem_of;
 using support::Committed;
 using support::Sample;
 
@@ -32,16 +34,6 @@ model::Tree read(const std::filesystem::path& file, const std::string& base) {
   options.base = base == "axes" ? description::Base::kAxes : description::Base::kFixed;
   options.mimic = description::Mimic::kIndependent;
   return description::read_model(file.string(), options);
-}
-
-template <class T>
-Problem<T> problem_of(const model::Tree& tree) {
-  Problem<T> result{oracle::from_tree<T>(tree), oracle::converted<T>(kGravity), {}};
-  for (const model::Point& point : tree.points) {
-    result.points.push_back(
-        {point.link, oracle::converted<T>(point.at), oracle::converted<T>(point.rotation)});
-  }
-  return result;
 }
 
 std::vector<Sample> samples_of(const model::Tree& tree, std::size_t count) {
@@ -83,14 +75,6 @@ class EveryRobot : public testing::TestWithParam<Robot> {};
 
 using RealList = std::vector<Real>;
 
-Real largest(const RealList& values) {
-  Real result = 0;
-  for (const Real& value : values) {
-    result = std::max(result, Real(abs(value)));
-  }
-  return result;
-}
-
 /// max|x - y|; for accelerations max|A (x - y)| / max|A|, as A may be nearly singular (a base at a
 /// pitch of 90 degrees).
 Real difference(const Problem<Real>& problem, const std::string& function, const RealList& q,
@@ -110,7 +94,7 @@ Real difference(const Problem<Real>& problem, const std::string& function, const
 /// Two algorithms in 50 digits: 1e-36 leaves 14 for the growth of rounding.
 TEST_P(EveryRobot, EngineEqualsTheRecursiveOracle) {
   const model::Tree tree = read(GetParam().file, GetParam().base);
-  const Problem<Real> problem = problem_of<Real>(tree);
+  const Problem<Real> problem = problem_of<Real>(tree, tree.points, kGravity);
   engine::Engine<Real> engine(tree, tree.points, kGravity);
   for (const Sample& sample : samples_of(tree, 8)) {
     for (const equations::Equation* function : engine::functions()) {
@@ -162,8 +146,8 @@ void expect_agreement(const Problem<Real>& problem, const std::vector<Sample>& s
 
 TEST_P(EveryRobot, OracleEqualsKdl) {
   const model::Tree tree = read(GetParam().file, GetParam().base);
-  const Problem<double> plain = problem_of<double>(tree);
-  expect_agreement(problem_of<Real>(tree), samples_of(tree, 50),
+  const Problem<double> plain = problem_of<double>(tree, tree.points, kGravity);
+  expect_agreement(problem_of<Real>(tree, tree.points, kGravity), samples_of(tree, 50),
                    *oracle::make_kdl(plain.robot, plain.gravity));
 }
 
@@ -180,8 +164,8 @@ class RobotOfMujoco : public testing::TestWithParam<Robot> {};
 
 TEST_P(RobotOfMujoco, OracleEqualsMujoco) {
   const model::Tree tree = read(GetParam().file, GetParam().base);
-  const Problem<double> plain = problem_of<double>(tree);
-  expect_agreement(problem_of<Real>(tree), samples_of(tree, 50),
+  const Problem<double> plain = problem_of<double>(tree, tree.points, kGravity);
+  expect_agreement(problem_of<Real>(tree, tree.points, kGravity), samples_of(tree, 50),
                    *oracle::make_mujoco(plain.robot, plain.gravity));
 }
 
@@ -191,7 +175,7 @@ TEST_P(EveryModel, GeneratedCodeEqualsTheRecursiveOracle) {
   const Committed& model = GetParam();
   const support::CompiledModel code(model.folder, model.stem, support::Variant::kMeasured);
   const model::Tree tree = read(model.model, model.manifest.base);
-  const Problem<Real> problem = problem_of<Real>(tree);
+  const Problem<Real> problem = problem_of<Real>(tree, tree.points, kGravity);
   for (const Sample& sample : samples_of(tree, 100)) {
     for (const support::FunctionInfo& function : model.manifest.functions) {
       std::vector<std::vector<Real>> inputs;

@@ -1,7 +1,6 @@
 // What float loses of a function.
 #include "program/rounding.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>

@@ -48,13 +48,10 @@ Real largest_difference(const RealList& x, const RealList& y) {
 
 /// Everything that computes the functions of one random tree.
 struct Trio {
-  explicit Trio(const model::Tree& the_tree) : tree(the_tree), engine(tree, tree.points, kGravity) {
-    problem.robot = oracle::from_tree<Real>(tree);
-    problem.gravity = kGravity;
-    for (const model::Point& point : tree.points) {
-      problem.points.push_back({point.link, point.at, point.rotation});
-    }
-  }
+  explicit Trio(const model::Tree& the_tree)
+      : tree(the_tree),
+        engine(tree, tree.points, kGravity),
+        problem(oracle::problem_of<Real>(tree, tree.points, kGravity)) {}
   const model::Tree& tree;
   engine::Engine<Real> engine;
   oracle::Problem<Real> problem;

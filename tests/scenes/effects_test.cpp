@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -361,6 +362,22 @@ TEST(Effects, APowerLawRaisesTheDepth) {  // E1: pow where it is needed, and now
   EXPECT_NEAR(pressed.at(0), expected.at(0), 1e-9);  // of 1e3 rad/s^2
   EXPECT_NEAR(pressed.at(1), expected.at(1), 1e-9);
   EXPECT_EQ(scene.code().call("contact_force", {{0.5, 0.3}, kqd}), (Vector{0, 0, 0}));
+}
+
+// A height that is no number presses: a dead sensor is not a flight.
+TEST(Contact, TellsADepthThatIsNoNumber) {
+  const ArmScene scene(kGround);
+  const Vector q = {std::numeric_limits<double>::quiet_NaN(), -0.3};
+  constexpr int kNotANumber = 16;
+  EXPECT_EQ(scene.code().measure("contact_force", {q, kqd}).status, kNotANumber);
+  EXPECT_EQ(scene.code().measure("constrained_dynamics", {q, kqd, ktau}).status, kNotANumber);
+  const SceneCode ball(
+      fmt::format("scene: ball\nmodel: {}/models/scenes/drop.model.yaml\neffects:\n"
+                  "  gravity: [0, 0, -9.81]\n  ground_contact:\n"
+                  "    - {{point: ball, height: 0, stiffness: 1e4, exponent: 1.5}}\nduration: 1\n",
+                  TREEDYN_SOURCE_DIR));
+  EXPECT_EQ(ball.code().measure("constrained_dynamics", {{q[0]}, {0}, {0}}).status, kNotANumber);
+  EXPECT_EQ(ball.code().measure("contact_force", {{q[0]}, {0}}).status, kNotANumber);
 }
 
 TEST(InverseDynamics, UndoesConstrainedDynamics) {

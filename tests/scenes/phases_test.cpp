@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Dense>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,91 @@ TEST_P(InScalar, ATipBesideAPressIsHeld) {
   EXPECT_NEAR(held.values[1], 0, 9.81 * rounding());
   EXPECT_NEAR(held.values[2], 0.002 * 9.81, 0.02 * rounding());
   EXPECT_NEAR(held.values[3], 800 * 9.81, 7848 * rounding());
+}
+
+/// The Puma whose hand is held in six rows. \param beginning  its initial position
+SceneCode held_puma(const std::string& beginning, const std::string& scalar) {
+  return SceneCode(
+      fmt::format("scene: held\nmodel: {}/models/puma560.yaml\npoints:\n"
+                  "  - {{name: hand, link: link6, at: [0, 0, 0.1]}}\n"
+                  "effects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{{point: hand}}]\n"
+                  "  orientation_constraint: [{{point: hand}}]\n{}duration: 1\n",
+                  TREEDYN_SOURCE_DIR, beginning),
+      Variant::kPlain,
+      {"--scalar", scalar, "--functions",
+       "constrained_dynamics,reaction_jacobian_transpose,mass_matrix,gravity_force"});
+}
+
+/// K x = b of the six rows at rest.
+struct Six {
+  Eigen::MatrixXd K;
+  Eigen::VectorXd b;
+};
+
+Six six_of(const CompiledModel& code, const Vector& q) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Vector a = code.call("mass_matrix", {q});
+  const Vector j = code.call("reaction_jacobian_transpose", {q});
+  const Vector g = code.call("gravity_force", {q});
+  const Eigen::MatrixXd A = Eigen::Map<const Rows>(a.data(), 6, 6);
+  const Eigen::MatrixXd J_T = Eigen::Map<const Rows>(j.data(), 6, 6);
+  const Eigen::LDLT<Eigen::MatrixXd> of_A(A);
+  return {J_T.transpose() * of_A.solve(J_T),
+          J_T.transpose() * of_A.solve(Eigen::Map<const Eigen::VectorXd>(g.data(), 6))};
+}
+
+/// The least eigenvalue of K with ones on its diagonal: no pivot is a smaller part of its K_kk.
+double least_part(const Eigen::MatrixXd& K) {
+  const Eigen::VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * K * scale.asDiagonal())
+      .eigenvalues()[0];
+}
+
+// The wrist is straight: pivots behind small ones are rounding, and none of them may pass for one.
+TEST(Rank, OfASingularPositionIsToldAndReactionsAreTheLeast) {
+  const SceneCode held =
+      held_puma("initial: {q: {joint2: 0.4, joint3: -0.7, joint4: 0.3, joint5: 0.9}}\n", "double");
+  EXPECT_EQ(held.manifest("constrained_dynamics").at("rank"), 6);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(-2.5, 2.5);
+  for (int n = 0; n < 300; ++n) {
+    Vector q(6);
+    std::ranges::generate(q, [&] { return angle(random); });
+    q[4] = 0;
+    const Measurement at = called(held, {q, Vector(6), Vector(6)});
+    EXPECT_EQ(at.status, 1) << n;  // rank_lost
+    const Six rows = six_of(held.code(), q);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_K(rows.K);
+    const Eigen::MatrixXd V = of_K.eigenvectors().rightCols(5);
+    const Eigen::VectorXd values = of_K.eigenvalues().tail(5);
+    const Eigen::VectorXd least = V * (V.transpose() * rows.b).cwiseQuotient(values);
+    const Eigen::Map<const Eigen::VectorXd> lambda(at.values.data() + 6, 6);
+    EXPECT_LT((lambda - least).norm(), 1e-13 * values[4] / values[0] * least.norm()) << n;
+  }
+}
+
+// At zeros the wrist is straight and stays so: what the rows are elsewhere is not what they are on
+// the motions from there.
+TEST_P(InScalar, PositionsOffTheMotionsOfASingularBeginningAreTold) {
+  const SceneCode held = held_puma("", GetParam());
+  EXPECT_EQ(held.manifest("constrained_dynamics").at("rank"), 5);
+  EXPECT_NE(held.header().find("have 6: row_given_up says so"), std::string::npos);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(-2.5, 2.5);
+  int told = 0;
+  for (int n = 0; n < 300; ++n) {
+    Vector q(6);
+    std::ranges::generate(q, [&] { return angle(random); });
+    if (GetParam() == "float") {
+      std::ranges::transform(q, q.begin(), [](double x) { return static_cast<float>(x); });
+    }
+    if (least_part(six_of(held.code(), q).K) > 1e-4) {
+      const Measurement at = called(held, {q, Vector(6), Vector(6)});
+      EXPECT_EQ(at.status, 2) << n;  // row_given_up
+      ++told;
+    }
+  }
+  EXPECT_GT(told, 100);
 }
 
 // Two points of one body, at one place but for 1e-17 m: their row is rounding, and what it asks for

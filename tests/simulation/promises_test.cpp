@@ -2,7 +2,6 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

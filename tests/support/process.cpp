@@ -71,6 +71,14 @@ Outcome run(const std::vector<std::string>& command, const std::string& input) {
   return {status, read_file(out), read_file(err)};
 }
 
+Outcome run_checked(const std::vector<std::string>& command) {
+  Outcome outcome = run(command);
+  if (outcome.status != 0) {
+    throw std::runtime_error(command.front() + ": " + outcome.out + outcome.err);
+  }
+  return outcome;
+}
+
 Outcome run_words(const std::string& line) {
   std::istringstream words(line);
   return run({std::istream_iterator<std::string>(words), {}});

@@ -20,6 +20,9 @@ struct Outcome {
 /// \throws std::system_error if the program cannot be started.
 Outcome run(const std::vector<std::string>& command, const std::string& input = {});
 
+/// The same of a program that must succeed. \throws std::runtime_error
+Outcome run_checked(const std::vector<std::string>& command);
+
 /// The same of words between spaces.
 Outcome run_words(const std::string& line);
 

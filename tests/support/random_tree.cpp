@@ -80,6 +80,14 @@ std::vector<double> Dice::numbers(std::size_t count, double limit) {
   return result;
 }
 
+TreeShape chain(const std::string& types) {
+  TreeShape shape{{}, types};
+  for (int i = 0; i < static_cast<int>(types.size()); ++i) {
+    shape.father.push_back(i - 1);
+  }
+  return shape;
+}
+
 TreeShape random_shape(int links, Dice& dice) {
   TreeShape shape;
   const int kind = dice.below(3);  // chain, tree, forest

@@ -30,6 +30,9 @@ struct TreeShape {
   std::string types;        ///< "RPR": one letter per link
 };
 
+/// Every link on the one before.
+TreeShape chain(const std::string& types);
+
 /// Chains, trees and forests of N links by turns, types at random.
 TreeShape random_shape(int links, Dice& dice);
 

@@ -10,11 +10,15 @@
 
 namespace treedyn::support {
 
-/// Numbers between -1 and 1 from a fixed seed; every number is exact in float too.
+/// Numbers from a fixed seed; those between -1 and 1 are exact in float too.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
   double operator()() { return static_cast<double>(engine_() >> 40U) / 8388608.0 - 1.0; }
+  /// In [low, high], of double.
+  double operator()(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
+  }
   std::vector<double> list(std::size_t size, double scale = 1) {
     std::vector<double> result(size);
     for (double& x : result) {
