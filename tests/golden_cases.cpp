@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "common/transformed.hpp"
 #include "description/read.hpp"
 #include "engine/engine.hpp"
 #include "formulate/formulate.hpp"

@@ -76,7 +76,7 @@ std::string rank_text(const program::Staged& staged, const program::RowSolve& so
       solve.elsewhere > solve.rank
           ? fmt::format(
                 " At positions to which no motion from where the scene begins leads they "
-                "have {}: row_given_up says so.",
+                "have {}: beyond 0.003 rad row_given_up says so.",
                 solve.elsewhere)
           : "";
   return fmt::format("{} {} {} rank {}: lambda is of least norm.{}",

@@ -1,6 +1,7 @@
 #include "emit/staged_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -57,45 +58,46 @@ std::string parameter_list(const RowSolve& solve) {
 /// row of length s, the root of the part, asks for eps/s more acceleration than it should, and a
 /// step that passes there for that times its own growth. Of 160 motions (40 lengths of steps of rk4
 /// on four mechanisms) 13 left their branch with 3e-5, one with 1e-4, none with 2e-4 to 5e-4.
-double lost(const RowSolve& solve, const Target& target) {
-  return solve.passes && target.scalar == Scalar::kFloat ? 5e-4 : 0;
+double lost(const RowSolve& solve, Scalar scalar) {
+  return solve.passes && scalar == Scalar::kFloat ? 5e-4 : 0;
 }
 
 /// Part that a pivot has to exceed of what rounding makes it uncertain by; 0 if a tolerance is
 /// given.
-double rounding(const RowSolve& solve, const Target& target) {
-  return solve.tolerance > 0 ? 0 : pivot_rounding(solve.rows, target.scalar);
+double rounding(const RowSolve& solve, Scalar scalar) {
+  return solve.tolerance > 0 ? 0 : pivot_rounding(solve.rows, scalar);
 }
 
 /// Multiple of its own diagonal entry that a pivot has to exceed.
-double tolerance(const RowSolve& solve, const Target& target) {
+double tolerance(const RowSolve& solve, Scalar scalar) {
   return solve.tolerance > 0 ? solve.tolerance
-                             : std::max(rounding(solve, target), lost(solve, target) * solve.least);
+                             : std::max(rounding(solve, scalar), lost(solve, scalar) * solve.least);
 }
 
 /// Multiple of its row's size that a diagonal entry has to exceed; a row's length is its root.
 double vanishing(const RowSolve& solve, const Target& target) {
   const double rounded = target.scalar == Scalar::kFloat ? 1e-9 : 1e-14;
-  return std::max(solve.tolerance > 0 ? solve.tolerance : lost(solve, target), rounded);
+  return std::max(solve.tolerance > 0 ? solve.tolerance : lost(solve, target.scalar), rounded);
 }
 
 /// Pivot k is safe. It is v^T K v, v = (-w, 1) with w = K^-1 k of the rows before: entries that are
 /// off by e sqrt(K_ii K_jj) make it off by (k + 1) e times the sum of v_i^2 K_ii. With ones on the
-/// diagonal this is below 1 + 1 / (least eigenvalue) < 1 + 2.72 / (product of the pivots before).
+/// diagonal this is below 1 + 1 / (least eigenvalue) < 1 + 2.72 / (product of the pivots before):
+/// the 4 of pivot_rounding makes up for what K_kk / product lacks of that.
 std::string pivot_test(const RowSolve& solve, std::size_t k, const Target& target) {
   const std::size_t diagonal = k * (k + 3) / 2;
   const double vanished = vanishing(solve, target) * solve.sizes[k];
   std::string result = fmt::format("K[{}] > {}", diagonal, short_literal(vanished, target));
-  const double part = tolerance(solve, target);
-  const double rounded = rounding(solve, target);
-  const auto add = [&](bool needed, double share, const std::string& whole) {
-    if (k > 0 && needed) {
-      result += fmt::format(" && d[{}] > {} * {}", k, short_literal(share, target), whole);
-    }
+  const auto add = [&](double share, const std::string& whole) {
+    result += fmt::format(" && d[{}] > {} * {}", k, short_literal(share, target), whole);
   };
-  const std::string own = fmt::format("K[{}]", diagonal);
-  add(part > rounded, part, own);
-  add(rounded > 0, rounded, k > 1 ? fmt::format("{}[{}]", program::kWholeArray, k - 2) : own);
+  const double rounded = rounding(solve, target.scalar);
+  if (k == 1 || (k > 1 && (rounded == 0 || is_measured_twice(solve, target.scalar)))) {
+    add(tolerance(solve, target.scalar), fmt::format("K[{}]", diagonal));
+  }
+  if (k > 1 && rounded > 0) {
+    add(rounded, fmt::format("{}[{}]", program::kWholeArray, k - 2));
+  }
   return result;
 }
 
@@ -131,8 +133,8 @@ std::vector<std::string> deficient_lines(const RowSolve& solve, const Target& ta
   return {fmt::format("static constexpr {} weights[] = {{\n{}", type_name(target.scalar), list),
           declaration(fmt::format("return solve_deficient_{}", solve.rows),
                       {std::to_string(solve.rank), "weights",
-                       short_literal(tolerance(solve, target), target),
-                       short_literal(rounding(solve, target), target),
+                       short_literal(tolerance(solve, target.scalar), target),
+                       short_literal(rounding(solve, target.scalar), target),
                        short_literal(vanishing(solve, target), target), "K", "b", "x"},
                       ";")};
 }
@@ -161,7 +163,8 @@ std::string deficient_text(int rows, const Target& target) {
                                     "const Scalar* K", "const Scalar* b", "Scalar* x"},
                                    " noexcept {")},
        {"rows", std::to_string(rows)},
-       {"independent", single ? "1e-5f" : "1e-5"},
+       {"doubt", short_literal(std::sqrt(pivot_rounding(rows, target.scalar)), target)},
+       {"independent", short_literal(program::kIndependent, target)},
        {"given_up", single ? "0.01f" : "0.01"},
        {"rounding", single ? "1e-5f" : "1e-13"},
        {"given_up_least", single ? "1e-3f" : "1e-6"}});
@@ -205,7 +208,7 @@ std::vector<std::string> press_lines(const Staged& staged) {
     std::vector<std::string> passed;
     const program::Signature& signature = staged.contacts[k].signature;
     std::ranges::transform(signature.arrays(), std::back_inserter(passed), &program::Array::name);
-    lines.push_back(fmt::format("if (!({}[{}] < Scalar(0))) {{", program::kDepthArray, k));
+    lines.push_back(fmt::format("if (!({}[{}] <= Scalar(0))) {{", program::kDepthArray, k));
     append_if(lines, staged.tells,
               fmt::format("  treedyn_again({});",
                           static_cast<std::size_t>(program::Repeated::kPress) + k));
@@ -217,7 +220,8 @@ std::vector<std::string> press_lines(const Staged& staged) {
 
 /// Nothing presses: every output is zero.
 std::vector<std::string> return_lines(const Staged& staged) {
-  std::vector<std::string> lines = {fmt::format("if ({}[0] < Scalar(0)) {{", program::kDepthArray)};
+  std::vector<std::string> lines = {
+      fmt::format("if ({}[0] <= Scalar(0)) {{", program::kDepthArray)};
   for (const program::Array& array : staged.signature.outputs) {
     for (int k = 0; k < array.size; ++k) {
       lines.push_back(fmt::format("  {}[{}] = Scalar(0);", array.name, k));
@@ -332,6 +336,11 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
 }
 
 }  // namespace
+
+bool is_measured_twice(const RowSolve& solve, Scalar scalar) {
+  const double rounded = rounding(solve, scalar);
+  return rounded > 0 && tolerance(solve, scalar) > rounded;
+}
 
 Body staged_body(const Staged& staged, const Vocabulary& words, const Target& target) {
   return body(staged.function, words, target,

@@ -9,6 +9,9 @@
 
 namespace treedyn::emit {
 
+/// Two thresholds a pivot: rounding, and a larger share of its own diagonal entry.
+bool is_measured_twice(const program::RowSolve& solve, Scalar scalar);
+
 /// As `body`, stage by stage.
 Body staged_body(const program::Staged& staged, const Vocabulary& words, const Target& target);
 

@@ -128,6 +128,11 @@ program::RowSolve SceneFormulator::solve_of(const program::Function& function, i
                    return is_stabilised(scene_, constraint);
                  });
   solve.tolerance = scene_.rank_tolerance.convert_to<double>();
+  if (std::ranges::any_of(constraints, [&](int constraint) {
+        return scene_.constraints[to_index(constraint)].kind == model::ConstraintKind::kJoined;
+      })) {
+    solve.elsewhere = solve.rank;  // no other position counts: loops are open there
+  }
   return solve;
 }
 

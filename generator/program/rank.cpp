@@ -122,8 +122,10 @@ RowSolve solve_of(const Function& function, int rows, const OrdinaryRows& ordina
   for (std::size_t k = 0; k < values.size(); ++k) {
     solve.zeros.push_back(function.outputs[k] == 0);
   }
-  solve.elsewhere = rank_of(without(values, is_rounding), rows);
-  solve.rank = ordinary.holds ? ordinary.rank : solve.elsewhere;
+  const std::vector<Real> generic = pivot_shares(without(values, is_rounding), rows);
+  solve.rank = ordinary.holds ? ordinary.rank : static_cast<int>(generic.size());
+  solve.elsewhere = static_cast<int>(
+      std::ranges::count_if(generic, [](const Real& share) { return share > kIndependent; }));
   std::vector<Real> sizes(static_cast<std::size_t>(rows));
   Real least = 0;
   Real product = 0;

@@ -104,11 +104,12 @@ Function regular_solve(const RowSolve& solve) {
 }
 
 Cost regular_cost(const RowSolve& solve) {
-  return cost(regular_solve(solve)) + Cost{.mul = solve.rows - 1};  // the thresholds
+  const int twice = solve.twice ? std::max(solve.rows - 2, 0) : 0;
+  return cost(regular_solve(solve)) + Cost{.mul = solve.rows - 1 + twice};  // the thresholds
 }
 
 /// The loops of templates/solve_rows.cpp.in.
-Cost deficient_cost(int rows, int rank) {
+Cost deficient_cost(int rows, int rank, bool doubtful) {
   Cost c{.add = 2, .mul = 2 + rows - rank};  // the bound of what is left, independence
   for (int k = 0; k < rank; ++k) {
     const int below = rows - k - 1;
@@ -122,8 +123,8 @@ Cost deficient_cost(int rows, int rank) {
     c = c + Cost{.mul = k} + products(k * (k + 1) / 2);  // elimination of S
     c = c + Cost{.mul = 2} + products(2 * 2 * k);        // two solutions with S
     c.mul += 1;                                          // D^-1
-    c = c + Cost{.mul = 1} + products(k * (k - 1) / 2);  // what rounding makes of the pivot
-    c = c + Cost{.add = k, .mul = 2 * k};
+    c.mul += 2;                                          // what rounding makes of the pivot
+    c = doubtful ? c + Cost{.add = k, .mul = 2 * k, .fused = k} + products(k * (k - 1) / 2) : c;
   }
   for (int i = 0; i < rows; ++i) {
     c = c + products(std::min(i, rank));         // M v
@@ -135,7 +136,7 @@ Cost deficient_cost(int rows, int rank) {
 Cost cost(const Staged& staged) {
   Cost c = cost(staged.function) + test_cost(staged.pivots);
   for (const RowSolve& solve : staged.solves) {
-    c = c + (solve.regular() ? regular_cost(solve) : deficient_cost(solve.rows, solve.rank));
+    c = c + (solve.regular() ? regular_cost(solve) : deficient_cost(solve.rows, solve.rank, false));
   }
   return c;
 }
@@ -152,7 +153,7 @@ Cost worst_cost(const Staged& staged) {
   Cost c = cost(staged.function) + test_cost(staged.pivots);
   for (const RowSolve& solve : staged.solves) {
     const Cost regular = solve.regular() ? regular_cost(solve) : Cost{};
-    c = c + regular + deficient_cost(solve.rows, solve.rows);
+    c = c + regular + deficient_cost(solve.rows, solve.rows, true);
   }
   for (const Staged& contact : staged.contacts) {
     c = c + worst_cost(contact);

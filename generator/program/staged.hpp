@@ -14,23 +14,28 @@ namespace treedyn::program {
 /// A pivot counts as zero below `tolerance` of its own diagonal entry of K, and below rounding's
 /// share of its row's size: no row is measured by another one. Without pivoting small pivots make
 /// the roundings of those behind them grow: there the share is that of K_kk + sum of w_i^2 K_ii,
-/// with w the multiples of the rows before that row k is left of, or of the bound K_kk / product.
+/// with w the multiples of the rows before that row k is left of, or of K_kk / product, no less
+/// than a quarter of it.
 struct RowSolve {
   int rows = 0;
   int rank = 0;             ///< of K where the constraints hold; the regular path needs rank = rows
-  int elsewhere = 0;        ///< rank of K at a pseudo-random state, in which they need not hold
+  int elsewhere = 0;        ///< pivots above kIndependent where they need not hold
   std::vector<bool> zeros;  ///< of the lower half, row by row: entries that are always zero
   std::vector<double> sizes;  ///< of the rows: diagonal entries of K as they are in ordinary states
   double least = 0;    ///< of the pivots, as part of their diagonal entries, in ordinary states
   double product = 0;  ///< of these parts in the order of the rows, without pivoting
-  bool by_product =
-      false;             ///< 1 / product of the parts before bounds what a pivot's rounding grows
-  bool passes = false;   ///< steps lead through positions of lower rank: rows are stabilised
-  double tolerance = 0;  ///< 0: what rounding makes uncertain
+  bool by_product = false;  ///< pivots are measured by K_kk / product of the parts before
+  bool twice = false;       ///< and by a larger share of their own diagonal entries
+  bool passes = false;      ///< steps lead through positions of lower rank: rows are stabilised
+  double tolerance = 0;     ///< 0: what rounding makes uncertain
 
   [[nodiscard]] bool regular() const { return rank == rows; }
   bool operator==(const RowSolve&) const = default;
 };
+
+/// What counts as a row of its own where fewer rows than all are independent on the motions of a
+/// scene: the square of 0.003 rad.
+inline constexpr double kIndependent = 1e-5;
 
 /// What stands between two stages.
 enum class Gate {
@@ -85,7 +90,8 @@ Function regular_solve(const RowSolve& solve);
 /// Operations of the regular path, the test of the pivots included.
 Cost regular_cost(const RowSolve& solve);
 /// Operations of the path for deficient rows, if the pivots tell this rank.
-Cost deficient_cost(int rows, int rank);
+/// \param doubtful  all pivots are so small that what rounding makes of them is looked at
+Cost deficient_cost(int rows, int rank, bool doubtful);
 
 /// Operations of one call where K has its generic rank and no contact is closed.
 Cost cost(const Staged& staged);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "emit/staged_text.hpp"
 #include "program/ones.hpp"
 #include "program/rounding.hpp"
 #include "stages/stages.hpp"
@@ -48,6 +49,7 @@ program::Programs in_scalar(program::Programs programs, const Model& model, emit
     staged = program::without_ones(std::move(staged), is_one);
     for (program::RowSolve& solve : staged.solves) {
       solve.by_product = solve.product > kOrdinaryMargin * emit::pivot_rounding(solve.rows, scalar);
+      solve.twice = emit::is_measured_twice(solve, scalar);
     }
   }
   programs = with_tested_pivots(std::move(programs), model, scalar);

@@ -142,6 +142,46 @@ TEST_F(Cli, RefusesWhatASceneHasNothingFor) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
+// An arm begins stretched at zeros, where its rows depend on each other; a loop's rows do
+// everywhere.
+TEST_F(Cli, WarnsOfASingularBeginning) {
+  const auto warnings = [&](const std::string& rest) {
+    write_file(scratch("scene.yaml"), "scene: held\n" + rest + "duration: 1\n");
+    const Outcome outcome = treedyn({"generate", "--scene", scratch("scene.yaml"), "--functions",
+                                     "constrained_dynamics", "--effort", "0", "-o", out()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  const std::string arm =
+      "model: " TREEDYN_SOURCE_DIR
+      "/models/puma560.yaml\npoints: [{name: hand, link: link6, at: [0, 0, 0.1]}]\n"
+      "effects:\n  point_constraint: [{point: hand}]\n"
+      "  orientation_constraint: [{point: hand}]\n";
+  EXPECT_THAT(warnings(arm), HasSubstr("with all joints at 0, its 6 rows have rank 5, and 6 "
+                                       "elsewhere"));
+  EXPECT_THAT(warnings(arm + "initial: {q: {joint3: -0.7, joint5: 0.9}}\n"),
+              Not(HasSubstr("where the scene begins")));
+  write_file(scratch("cranks.yaml"),
+             "name: cranks\nlinks:\n"
+             "  - {name: a, father: ground, mass: 1, joint: {name: a, type: revolute, axis: [0, 1, "
+             "0]}}\n"
+             "  - {name: b, father: ground, mass: 1, com: [0, 0, 1], joint: {name: b, type: "
+             "revolute, axis: [0, 1, 0], offset: [1, 0, 0]}}\n"
+             "  - {name: c, father: ground, mass: 1, com: [0, 0, 1], joint: {name: c, type: "
+             "revolute, axis: [0, 1, 0], offset: [2, 0, 0]}}\n"
+             "  - {name: rod, father: a, mass: 1, com: [1, 0, 0], inertia: [1, 0, 0, 1, 0, 1], "
+             "joint: {name: rod, type: revolute, axis: [0, 1, 0], offset: [0, 0, 1]}}\n");
+  EXPECT_THAT(warnings("model: cranks.yaml\npoints:\n"
+                       "  - {name: p, link: rod, at: [1, 0, 0]}\n"
+                       "  - {name: q, link: rod, at: [2, 0, 0]}\n"
+                       "  - {name: tb, link: b, at: [0, 0, 1]}\n"
+                       "  - {name: tc, link: c, at: [0, 0, 1]}\n"
+                       "effects:\n  joined_constraint:\n"
+                       "    - {name: one, point: p, other: tb, along: [x, z]}\n"
+                       "    - {name: two, point: q, other: tc, along: [x, z]}\n"),
+              Not(HasSubstr("where the scene begins")));
+}
+
 TEST_F(Cli, GuardsACompensatedStateWithoutThePair) {
   const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
   const auto source = [&](const std::string& sincos) {

@@ -1,6 +1,7 @@
 // The rules of the derivation, one by one.
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <numeric>
 #include <set>
 #include <string>

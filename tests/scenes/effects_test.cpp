@@ -380,6 +380,17 @@ TEST(Contact, TellsADepthThatIsNoNumber) {
   EXPECT_EQ(ball.code().measure("contact_force", {{q[0]}, {0}}).status, kNotANumber);
 }
 
+// As in `simulate`; a law of its own need not vanish there.
+TEST(Contact, IsOpenWhereThePointJustTouches) {
+  const SceneCode ball(
+      fmt::format("scene: ball\nmodel: {}/models/scenes/drop.model.yaml\neffects:\n"
+                  "  ground_contact:\n    - {{point: ball, law: 1e4*d - 200*v}}\nduration: 1\n",
+                  TREEDYN_SOURCE_DIR));
+  EXPECT_EQ(ball.code().call("contact_force", {{0}, {-1}}), (Vector{0, 0, 0}));
+  EXPECT_EQ(ball.code().call("constrained_dynamics", {{0}, {-1}, {0}}), Vector{0});
+  EXPECT_NEAR(ball.code().call("contact_force", {{-1e-9}, {-1}}).at(2), 200, 1e-4);
+}
+
 TEST(InverseDynamics, UndoesConstrainedDynamics) {
   // the shoulder has no drive: the reactions carry it
   const ArmScene scene(std::string(kHeld) + "  drive:\n    - {joint: elbow, torque: 5}\n");

@@ -64,6 +64,7 @@ class Measured {
   // Branches of scene functions: not counted.
   friend bool operator<(const Measured& a, const Measured& b) { return a.value_ < b.value_; }
   friend bool operator>(const Measured& a, const Measured& b) { return a.value_ > b.value_; }
+  friend bool operator<=(const Measured& a, const Measured& b) { return a.value_ <= b.value_; }
 
   friend Measured sqrt(const Measured& a) {
     ++Counter::operations[3];

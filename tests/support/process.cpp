@@ -13,6 +13,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace treedyn::support {
 
 namespace {
@@ -74,7 +77,8 @@ Outcome run(const std::vector<std::string>& command, const std::string& input) {
 Outcome run_checked(const std::vector<std::string>& command) {
   Outcome outcome = run(command);
   if (outcome.status != 0) {
-    throw std::runtime_error(command.front() + ": " + outcome.out + outcome.err);
+    throw std::runtime_error(
+        fmt::format("{}: {}{}", fmt::join(command, " "), outcome.out, outcome.err));
   }
   return outcome;
 }
