@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "common/error.hpp"
+#include "common/transformed.hpp"
 #include "emit/literal.hpp"
+#include "model/reach.hpp"
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 #include "stages/stages.hpp"
@@ -42,16 +46,11 @@ std::vector<Row> rows_of(const program::Function& regressor, std::size_t columns
   return rows;
 }
 
-/// A column that is independent of those before it.
-struct Pivot {
-  std::size_t column;
-  Real size;  ///< the largest number that those before it leave of it
-};
-
-/// Reduced row echelon form by the largest pivots; row k of the result belongs to the k-th of them.
-std::vector<Pivot> reduce(std::vector<Row>& rows, std::size_t columns) {
+/// Reduced row echelon form by the largest pivots: the columns of the pivots; row k of the result
+/// belongs to the k-th of them.
+std::vector<std::size_t> reduce(std::vector<Row>& rows, std::size_t columns) {
   const Real zero("1e-30");
-  std::vector<Pivot> pivots;
+  std::vector<std::size_t> pivots;
   for (std::size_t column = 0; column < columns; ++column) {
     const auto from = rows.begin() + static_cast<std::ptrdiff_t>(pivots.size());
     const auto largest = std::max_element(from, rows.end(), [&](const Row& a, const Row& b) {
@@ -62,7 +61,7 @@ std::vector<Pivot> reduce(std::vector<Row>& rows, std::size_t columns) {
     }
     std::iter_swap(from, largest);
     Row& pivot = *from;
-    pivots.push_back({column, abs(pivot[column])});
+    pivots.push_back(column);
     const Real scale = 1 / pivot[column];
     std::ranges::for_each(pivot, [&](Real& x) { x *= scale; });
     for (Row& row : rows) {
@@ -86,34 +85,48 @@ std::string parameter_name(const model::Tree& tree, std::size_t column) {
   return fmt::format("{}.{}", tree.links[column / kParameters].name, kNames[column % kParameters]);
 }
 
-/// 0 of a mass, 1 of m_c, 2 of an inertia.
-std::size_t kind_of(std::size_t column) {
-  const std::size_t part = column % kParameters;
-  return part == 0 ? 0 : part < 4 ? 1 : 2;
-}
-
-/// The columns that depend on those before them but for less than 1e-5 of the largest of their
-/// kind.
-std::string nearly_dependent(const model::Tree& tree, const std::vector<Pivot>& pivots) {
-  std::array<Real, 3> largest = {0, 0, 0};
-  for (const Pivot& pivot : pivots) {
-    Real& of_kind = largest[kind_of(pivot.column)];
-    of_kind = std::max(of_kind, pivot.size);
-  }
-  std::vector<std::string> names;
-  for (const auto& [column, size] : pivots) {
-    const Real part = size / largest[kind_of(column)];
-    if (part < Real("1e-5")) {
-      names.push_back(
-          fmt::format("{} ({:.1e})", parameter_name(tree, column), static_cast<double>(part)));
+/// How many columns are independent by more than 1e-5 of the best of them, by elimination with the
+/// largest pivot of all. Masses are taken at the size of the robot.
+std::size_t measurable(const std::vector<Row>& exact, double size) {
+  using Doubles = std::vector<double>;
+  std::vector<std::size_t> left(exact.front().size());
+  std::iota(left.begin(), left.end(), 0);
+  std::vector<Doubles> rows = transformed(exact, [&](const Row& row) {
+    Doubles result(row.size());
+    for (const std::size_t column : left) {
+      const double scale = column % kParameters == 0 && size > 0 ? size : 1;
+      result[column] = static_cast<double>(row[column]) / scale;
+    }
+    return result;
+  });
+  double least = 0;
+  std::size_t rank = 0;
+  while (!left.empty()) {
+    std::size_t at = rank;
+    std::size_t best = 0;
+    for (std::size_t i = rank; i < rows.size(); ++i) {
+      for (std::size_t k = 0; k < left.size(); ++k) {
+        const bool larger = std::abs(rows[i][left[k]]) > std::abs(rows[at][left[best]]);
+        at = larger ? i : at;
+        best = larger ? k : best;
+      }
+    }
+    std::swap(rows[rank], rows[at]);
+    const Doubles& pivot = rows[rank];
+    const std::size_t column = left[best];
+    least = rank == 0 ? 1e-5 * std::abs(pivot[column]) : least;
+    if (std::abs(pivot[column]) < least) {
+      break;
+    }
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
+    for (std::size_t i = ++rank; i < rows.size(); ++i) {
+      const double factor = rows[i][column] / pivot[column];
+      for (const std::size_t k : left) {
+        rows[i][k] -= factor * pivot[k];
+      }
     }
   }
-  return names.empty() ? ""
-                       : fmt::format(
-                             "{} of them can hardly be measured, by so much of the largest "
-                             "of their kind: {}; where an angle just misses a special "
-                             "value, vet names it and --snap takes that one\n",
-                             names.size(), fmt::join(names, ", "));
+  return rank;
 }
 
 }  // namespace
@@ -131,13 +144,14 @@ std::string base_parameters_text(const Model& model, const Request& request) {
   const std::size_t columns = kParameters * tree.links.size();
   std::vector<Row> rows =
       rows_of(formulate::formulated(tree, "inverse_dynamics_regressor", options), columns);
-  const std::vector<Pivot> pivots = reduce(rows, columns);
+  const std::vector<Row> all = rows;
+  const std::vector<std::size_t> pivots = reduce(rows, columns);
   std::string result =
       fmt::format("base parameters: {} of {}; columns of inverse_dynamics_regressor, from 0\n",
                   pivots.size(), columns);
   const Real zero("1e-20");
   for (std::size_t k = 0; k < pivots.size(); ++k) {
-    const std::size_t own = pivots[k].column;
+    const std::size_t own = pivots[k];
     result += fmt::format("{:5}  {}", own, parameter_name(tree, own));
     for (std::size_t column = own + 1; column < columns; ++column) {
       const Real& x = rows[k][column];
@@ -150,7 +164,14 @@ std::string base_parameters_text(const Model& model, const Request& request) {
     }
     result += "\n";
   }
-  return result + nearly_dependent(tree, pivots);
+  const std::size_t rank = measurable(all, model::size_of(tree, {}));
+  if (rank < pivots.size()) {
+    result += fmt::format(
+        "to five digits: {}; what is beyond can hardly be measured; where an angle just misses a "
+        "special value, vet names it and --snap takes that one\n",
+        rank);
+  }
+  return result;
 }
 
 }  // namespace treedyn

@@ -76,7 +76,8 @@ std::string rank_text(const program::Staged& staged, const program::RowSolve& so
       solve.elsewhere > solve.rank
           ? fmt::format(
                 " At positions to which no motion from where the scene begins leads they "
-                "have {}: beyond 0.003 rad row_given_up says so.",
+                "have {}, and results are not those of such a position; row_given_up tells where "
+                "a row is left out by 0.003 of its ordinary length.",
                 solve.elsewhere)
           : "";
   return fmt::format("{} {} {} rank {}: lambda is of least norm.{}",

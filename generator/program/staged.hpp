@@ -33,8 +33,8 @@ struct RowSolve {
   bool operator==(const RowSolve&) const = default;
 };
 
-/// What counts as a row of its own where fewer rows than all are independent on the motions of a
-/// scene: the square of 0.003 rad.
+/// What is left of a row that counts as one of its own where fewer rows than all are independent on
+/// the motions of a scene: the square of 0.003 of its ordinary length.
 inline constexpr double kIndependent = 1e-5;
 
 /// What stands between two stages.

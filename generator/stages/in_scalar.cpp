@@ -114,7 +114,8 @@ std::vector<Warning> singular_beginnings(const program::Programs& programs, cons
         result.push_back(
             {where, fmt::format("function '{}': where the scene begins, with all joints at 0, its "
                                 "{} rows have rank {}, and {} elsewhere; what is generated is for "
-                                "motions from there; expected an initial position if others count",
+                                "motions from there; if positions count to which none leads (an "
+                                "arm that begins stretched), give an initial position",
                                 staged.signature.name, solve.rows, solve.rank, solve.elsewhere)});
       }
     }
