@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
-#include <utility>
+#include <iterator>
 #include <vector>
 
+#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include "common/error.hpp"
-#include "common/transformed.hpp"
 #include "emit/literal.hpp"
 #include "model/reach.hpp"
 #include "program/interpret.hpp"
@@ -87,46 +85,16 @@ std::string parameter_name(const model::Tree& tree, std::size_t column) {
 
 /// How many columns are independent by more than 1e-5 of the best of them, by elimination with the
 /// largest pivot of all. Masses are taken at the size of the robot.
-std::size_t measurable(const std::vector<Row>& exact, double size) {
-  using Doubles = std::vector<double>;
-  std::vector<std::size_t> left(exact.front().size());
-  std::iota(left.begin(), left.end(), 0);
-  std::vector<Doubles> rows = transformed(exact, [&](const Row& row) {
-    Doubles result(row.size());
-    for (const std::size_t column : left) {
-      const double scale = column % kParameters == 0 && size > 0 ? size : 1;
-      result[column] = static_cast<double>(row[column]) / scale;
-    }
-    return result;
-  });
-  double least = 0;
-  std::size_t rank = 0;
-  while (!left.empty()) {
-    std::size_t at = rank;
-    std::size_t best = 0;
-    for (std::size_t i = rank; i < rows.size(); ++i) {
-      for (std::size_t k = 0; k < left.size(); ++k) {
-        const bool larger = std::abs(rows[i][left[k]]) > std::abs(rows[at][left[best]]);
-        at = larger ? i : at;
-        best = larger ? k : best;
-      }
-    }
-    std::swap(rows[rank], rows[at]);
-    const Doubles& pivot = rows[rank];
-    const std::size_t column = left[best];
-    least = rank == 0 ? 1e-5 * std::abs(pivot[column]) : least;
-    if (std::abs(pivot[column]) < least) {
-      break;
-    }
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
-    for (std::size_t i = ++rank; i < rows.size(); ++i) {
-      const double factor = rows[i][column] / pivot[column];
-      for (const std::size_t k : left) {
-        rows[i][k] -= factor * pivot[k];
-      }
+Eigen::Index measurable(const std::vector<Row>& rows, double size) {
+  Eigen::MatrixXd Y(rows.size(), rows.front().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < rows[i].size(); ++k) {
+      const double scale = k % kParameters == 0 && size > 0 ? size : 1;
+      Y(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+          static_cast<double>(rows[i][k]) / scale;
     }
   }
-  return rank;
+  return Eigen::FullPivLU<Eigen::MatrixXd>(Y).setThreshold(1e-5).rank();
 }
 
 }  // namespace
@@ -164,8 +132,8 @@ std::string base_parameters_text(const Model& model, const Request& request) {
     }
     result += "\n";
   }
-  const std::size_t rank = measurable(all, model::size_of(tree, {}));
-  if (rank < pivots.size()) {
+  const Eigen::Index rank = measurable(all, model::size_of(tree, {}));
+  if (rank < std::ssize(pivots)) {
     result += fmt::format(
         "to five digits: {}; what is beyond can hardly be measured; where an angle just misses a "
         "special value, vet names it and --snap takes that one\n",
