@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "common/transformed.hpp"
+#include "emit/json.hpp"
 #include "emit/literal.hpp"
 #include "model/reach.hpp"
 #include "program/interpret.hpp"
@@ -97,9 +101,18 @@ Eigen::Index measurable(const std::vector<Row>& rows, double size) {
   return Eigen::FullPivLU<Eigen::MatrixXd>(Y).setThreshold(1e-5).rank();
 }
 
-}  // namespace
+/// A parameter of the robot and the factor that it has in a combination.
+struct Term {
+  std::size_t column = 0;
+  Real factor;
+};
 
-std::string base_parameters_text(const Model& model, const Request& request) {
+struct BaseParameters {
+  std::vector<std::vector<Term>> combinations;  ///< first in each the column that stays, times 1
+  Eigen::Index to_five_digits = 0;              ///< how many of them
+};
+
+BaseParameters base_parameters(const Model& model, const Request& request) {
   const model::Tree& tree = model.tree;
   if (tree.mimics() > 0) {
     throw InputError({request.model, 0, 0},
@@ -112,34 +125,68 @@ std::string base_parameters_text(const Model& model, const Request& request) {
   const std::size_t columns = kParameters * tree.links.size();
   std::vector<Row> rows =
       rows_of(formulate::formulated(tree, "inverse_dynamics_regressor", options), columns);
-  const std::vector<Row> all = rows;
-  const std::vector<std::size_t> pivots = reduce(rows, columns);
+  BaseParameters result;
+  result.to_five_digits = measurable(rows, model::size_of(tree, {}));
+  const Real zero("1e-20");
+  for (const std::size_t own : reduce(rows, columns)) {
+    const Row& row = rows[result.combinations.size()];
+    std::vector<Term> terms = {{own, 1}};
+    for (std::size_t column = own + 1; column < columns; ++column) {
+      if (abs(row[column]) > zero) {
+        terms.push_back({column, abs(abs(row[column]) - 1) < zero ? Real(row[column] < 0 ? -1 : 1)
+                                                                  : row[column]});
+      }
+    }
+    result.combinations.push_back(std::move(terms));
+  }
+  return result;
+}
+
+std::string in_lines(const model::Tree& tree, const BaseParameters& found) {
   std::string result =
       fmt::format("base parameters: {} of {}; columns of inverse_dynamics_regressor, from 0\n",
-                  pivots.size(), columns);
-  const Real zero("1e-20");
-  for (std::size_t k = 0; k < pivots.size(); ++k) {
-    const std::size_t own = pivots[k];
-    result += fmt::format("{:5}  {}", own, parameter_name(tree, own));
-    for (std::size_t column = own + 1; column < columns; ++column) {
-      const Real& x = rows[k][column];
-      if (abs(x) > zero) {
-        const Real size = abs(x);
-        result += fmt::format(" {} {}{}", x < 0 ? '-' : '+',
-                              abs(size - 1) < zero ? "" : emit::decimal(size) + " ",
-                              parameter_name(tree, column));
-      }
+                  found.combinations.size(), kParameters * tree.links.size());
+  for (const std::vector<Term>& terms : found.combinations) {
+    result +=
+        fmt::format("{:5}  {}", terms.front().column, parameter_name(tree, terms.front().column));
+    for (std::size_t k = 1; k < terms.size(); ++k) {
+      const Real size = abs(terms[k].factor);
+      result += fmt::format(" {} {}{}", terms[k].factor < 0 ? '-' : '+',
+                            size == 1 ? "" : emit::decimal(size) + " ",
+                            parameter_name(tree, terms[k].column));
     }
     result += "\n";
   }
-  const Eigen::Index rank = measurable(all, model::size_of(tree, {}));
-  if (rank < std::ssize(pivots)) {
+  if (found.to_five_digits < std::ssize(found.combinations)) {
     result += fmt::format(
         "to five digits: {}; what is beyond can hardly be measured; where an angle just misses a "
         "special value, vet names it and --snap takes that one\n",
-        rank);
+        found.to_five_digits);
   }
   return result;
+}
+
+std::string in_json(const model::Tree& tree, const BaseParameters& found) {
+  const auto term_json = [&](const Term& term) {
+    return emit::json_object({{"column", std::to_string(term.column)},
+                              {"parameter", emit::json_string(parameter_name(tree, term.column))},
+                              {"factor", emit::decimal(term.factor)}});
+  };
+  return fmt::format(
+      "{{\n  \"columns\": {},\n  \"to_five_digits\": {},\n  \"base_parameters\": {}\n}}\n",
+      kParameters * tree.links.size(), found.to_five_digits,
+      emit::json_lines(transformed(found.combinations,
+                                   [&](const std::vector<Term>& terms) {
+                                     return emit::json_list(transformed(terms, term_json));
+                                   }),
+                       4));
+}
+
+}  // namespace
+
+std::string base_parameters_text(const Model& model, const Request& request, bool json) {
+  const BaseParameters found = base_parameters(model, request);
+  return json ? in_json(model.tree, found) : in_lines(model.tree, found);
 }
 
 }  // namespace treedyn

@@ -51,7 +51,8 @@ void add_info(CLI::App& app, Settings& settings) {
   CLI::App* info = app.add_subcommand("info", "joints, D, masses, snapped constants, costs");
   add_generation(*info, settings.request);
   add_talk(*info, settings);
-  CLI::Option* const json = info->add_flag("--json", settings.json, "as JSON, all and --accuracy");
+  CLI::Option* const json =
+      info->add_flag("--json", settings.json, "as JSON: all, --accuracy, --base-parameters");
   CLI::Option* const passes =
       info->add_flag("--passes", settings.passes, "operations of every function, pass by pass")
           ->excludes(json);
@@ -69,7 +70,6 @@ void add_info(CLI::App& app, Settings& settings) {
           ->excludes(errors);
   info->add_flag("--base-parameters", settings.base_parameters,
                  "what of masses, first moments and inertias motions and joint forces can tell")
-      ->excludes(json)
       ->excludes(passes)
       ->excludes(errors)
       ->excludes(derivation);

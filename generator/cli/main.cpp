@@ -249,7 +249,7 @@ int run_info(const Settings& settings) {
   print(settings.equations ? equations_text(model, settings.request)
         : !settings.derivation.empty()
             ? derivation_text(model, settings.request, settings.derivation)
-        : settings.base_parameters ? base_parameters_text(model, settings.request)
+        : settings.base_parameters ? base_parameters_text(model, settings.request, settings.json)
         : settings.passes          ? passes_text(model, settings.request)
         : settings.errors          ? errors_text(model, settings)
                                    : costs_text(model, settings));

@@ -757,6 +757,11 @@ TEST_F(Cli, CountsBaseParameters) {
               StartsWith("base parameters: 6 of 20;"));
   EXPECT_THAT(treedyn({"info", models + "puma560.yaml", "-q", "--base-parameters"}).out,
               StartsWith("base parameters: 36 of 60;"));
+  EXPECT_THAT(treedyn({"info", models + "puma560.yaml", "-q", "--base-parameters", "--json"}).out,
+              testing::AllOf(StartsWith("{\n  \"columns\": 60,\n  \"to_five_digits\": 36,\n"),
+                             HasSubstr("[{\"column\": 42, \"parameter\": \"link5.m_c_y\", "
+                                       "\"factor\": 1}, {\"column\": 53, \"parameter\": "
+                                       "\"link6.m_c_z\", \"factor\": -1}]")));
   EXPECT_THAT(
       treedyn({"info", models + "biped.yaml", "-q", "--base", "axes", "--base-parameters"}).out,
       StartsWith("base parameters: 104 of 180;"));
