@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x8956b4174f423077ULL, "header and source are of different runs");
+static_assert(kDigest == 0x618a3169fa81013cULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -672,6 +672,10 @@ constexpr double left_foot_I14 = 0.0005569034480192284;
 constexpr double left_foot_G1 = -0.1386019141706801;
 
 }  // namespace
+
+// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
+// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
+// and cosine; t_: a part of others.
 
 // Lengths inside are in units of L, a distance between left_hip_roll and left_hip_pitch:
 //   L = 0.01 m

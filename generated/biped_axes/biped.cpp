@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xdbef6682d6ef9253ULL, "header and source are of different runs");
+static_assert(kDigest == 0x26a230cb1b233ab9ULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -928,6 +928,10 @@ constexpr double left_foot_p1 = 1019.3901083482966;
 constexpr double left_foot_p2 = 14.402591264396625;
 
 }  // namespace
+
+// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
+// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
+// and cosine; t_: a part of others.
 
 void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar q_q8_q9 = q[8] + q[9];

@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xd6be27efbff8c3ccULL, "header and source are of different runs");
+static_assert(kDigest == 0x7fafa418f11f0054ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -664,6 +664,10 @@ constexpr float left_foot_I14 = 0.0005569034f;
 constexpr float left_foot_G1 = -0.13860191f;
 
 }  // namespace
+
+// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
+// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
+// and cosine; t_: a part of others.
 
 // Lengths inside are in units of L, a distance between left_hip_roll and left_hip_pitch:
 //   L = 0.01 m

@@ -10,7 +10,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0xd1af8db81b2b6975ULL, "header and source are of different runs");
+static_assert(kDigest == 0x4c65c02165b1f47cULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -430,6 +430,10 @@ constexpr double link7_I12 = 0.0013098798160415795;
 constexpr double link7_p1 = 203.68042513969144;
 
 }  // namespace
+
+// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
+// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
+// and cosine; t_: a part of others.
 
 // Lengths inside are in units of L, a distance between joint3 and joint4:
 //   L = 0.0825 m

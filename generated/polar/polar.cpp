@@ -10,7 +10,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0x769c01b0898dca00ULL, "header and source are of different runs");
+static_assert(kDigest == 0xca92c5a997772101ULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -115,6 +115,10 @@ constexpr double boom_G1 = 26.87915475;
 constexpr double boom_p1 = 0.23529411764705882;
 
 }  // namespace
+
+// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
+// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
+// and cosine; t_: a part of others.
 
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
   // shoulder_link: A of (2)

@@ -25,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x769c01b0898dca00ULL;
+constexpr unsigned long long kDigest = 0xca92c5a997772101ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -26,7 +26,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xf6d9fe86343956e1ULL;
+constexpr unsigned long long kDigest = 0xab78c7f7bced3339ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -25,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xd0279afa125a2c7bULL;
+constexpr unsigned long long kDigest = 0x54f750a100cf3fd7ULL;
 
 /// Index of every joint.
 namespace joint {
