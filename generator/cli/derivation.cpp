@@ -216,7 +216,7 @@ std::string multipliers_text(const derive::Derivation& derivation) {
       name = line.text.substr(0, line.text.find(" = "));
     }
   }
-  return fmt::format("         {0} of K {0} = {1}  <- {2}\n", least ? "μ" : "λ", name,
+  return fmt::format("         {0} of K_{0} {0} = {1}  <- {2}\n", least ? "μ" : "λ", name,
                      derive::row_of(least ? derive::Rule::kLeast : derive::Rule::kReactions).name);
 }
 
@@ -302,9 +302,10 @@ std::string scene_text(const Model& model, const Request& request, const std::st
   const formulate::FactoredFunction& function = formulate::factored(name);
   const bool solved = *info.unknown != '\0';
   const std::string unknowns =
-      solved                 ? fmt::format(" for {} and λ, zero there", info.unknown)
-      : *info.leaves != '\0' ? fmt::format(" for the least λ, zero there, and {}", info.leaves)
-                             : "";
+      solved ? fmt::format(" for {} and λ, zero there", info.unknown)
+      : *info.remainder != '\0'
+          ? fmt::format(" for the least λ, zero there, and {}", info.remainder)
+          : "";
   std::string result = fmt::format("{}: equation {}{}{}\n", name, info.equation, unknowns,
                                    errata_text(info.equations, "")) +
                        definitions(info.equations);

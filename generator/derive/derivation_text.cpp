@@ -167,7 +167,7 @@ class Printer {
       case Op::kOnes:
         return "1";
       case Op::kIdentity:
-        return "E_3";  // E is that of links in E-σ, and the pseudo-inertia
+        return "E_3";  // E is that of links in E-σ
       case Op::kZero:
         return "0";
       case Op::kUnit:
@@ -284,14 +284,14 @@ class Printer {
         return fmt::format("{}^T {}", first(value), last(value));
       case Op::kComposite:
         return fmt::format(
-            "tr(E^c) - E^c, E^c = D^T E + N^T ({1} {2}^T + {2} {1}^T + {0} {2} {2}^T)",
+            "tr(Ψ^c) E_3 - Ψ^c, Ψ^c = D^T Ψ + N^T ({1} {2}^T + {2} {1}^T + {0} {2} {2}^T)",
             first(value), name(value.operands[1]), last(value));
       case Op::kMoment:
-        return fmt::format("vee({} E)", first(value));
+        return fmt::format("vee({} Ψ)", first(value));
       case Op::kSquare:
-        return fmt::format("-tr(Λ({})² E)", first(value));
+        return fmt::format("-tr(Λ({})² Ψ)", first(value));
       case Op::kPseudo:
-        return fmt::format("½ tr({0}) - {0}", first(value));
+        return fmt::format("½ tr({0}) E_3 - {0}", first(value));
       case Op::kComponent:
         return fmt::format("{}_{}", first(value), "xyz"[value.component]);
       case Op::kAtLink:

@@ -59,8 +59,8 @@ std::optional<Factored> constrained(const block::Expression& motion, const block
                                     const std::string& unknown, const std::string& reaction);
 
 /// The least unknown for which `equation`, M λ - s, is zero, by R12''': the lower half of K and b
-/// of K μ = b, λ, and a column that λ leaves. Nothing for other equations.
-std::optional<Factored> least(const block::Expression& equation, const block::Expression& leaves,
+/// of K μ = b, λ, and `remainder`, a column that takes λ. Nothing for other equations.
+std::optional<Factored> least(const block::Expression& equation, const block::Expression& remainder,
                               const std::string& unknown, const std::string& multiplier);
 
 /// The rate along q̇ of what is derived, its own values beside their rates. Nothing if places of

@@ -36,12 +36,12 @@ class Eliminator {
   [[nodiscard]] bool is_symmetric_tensor(int S) const;
   int tensor(const Affine& a, const Atom& of);
 
-  int made(Op op, Type type, std::vector<int> operands, int form = 0, const char* name = "") {
-    return values_.intern({op, Set::kLinks, type, name, form, std::move(operands), {}});
+  int made(Op op, Type type, std::vector<int> operands, const char* name = "") {
+    return values_.intern({op, Set::kLinks, type, name, 0, std::move(operands), {}});
   }
   /// As it stands, without R3: the order of the sums is that of the elimination.
   int sum(const Terms& terms);
-  int travelling(const char* name, Type type) { return made(Op::kTravelling, type, {}, 0, name); }
+  int travelling(const char* name, Type type) { return made(Op::kTravelling, type, {}, name); }
   void fold(int travelling, int own, int handed, int sum);
   int yields(int x) { return values_.note(Rule::kYields, x); }
   void eliminate(int r);
@@ -250,11 +250,11 @@ void Eliminator::eliminate(int r) {
   const int d = sum({{kPlus, dot(b[0], U_[0])}, {kPlus, dot(b[1], U_[1])}});
   inverse_ = made(Op::kReciprocal, Type::kScalar, {d});
   const int bias = sum({{kPlus, dot(b[0], p[0])}, {kPlus, dot(b[1], p[1])}});
-  u_ = made(Op::kAtLink, Type::kScalar, {sum({{kPlus, r}, {kMinus, bias}}), inverse_}, 0, "u");
+  u_ = made(Op::kAtLink, Type::kScalar, {sum({{kPlus, r}, {kMinus, bias}}), inverse_}, "u");
   std::array<int, 2> V{};
   std::array<int, 2> q{};  // p + U u / d
   for (std::size_t k = 0; k < 2; ++k) {
-    zeta_[k] = made(Op::kAtLink, Type::kVector, {opening_.rest(y_[k].own, Type::kVector)}, 0,
+    zeta_[k] = made(Op::kAtLink, Type::kVector, {opening_.rest(y_[k].own, Type::kVector)},
                     k == 0 ? "" : "ζ");
     const int scaled = made(Op::kScale, Type::kVector, {inverse_, U_[k]});
     V[k] = yields(made(Op::kAlong, Type::kVector, {scaled, b[k], algebra_.ones(Set::kLinks)}));

@@ -60,7 +60,8 @@ class Factoring {
   bool run(const Expression& equation);
   bool constrain(const Expression& motion, const Expression& rows, const std::string& reaction);
   bool along(const Expression& e);
-  bool least(const Expression& equation, const Expression& leaves, const std::string& multiplier);
+  bool least(const Expression& equation, const Expression& remainder,
+             const std::string& multiplier);
 
  private:
   int made(Op op, std::vector<int> operands, const std::string& name = "", Set set = Set::kLinks) {
@@ -244,7 +245,7 @@ bool Factoring::constrain(const Expression& motion, const Expression& rows,
   }
   const int Y = solve(Op::kFromLeaves, jacobian, "Y");
   const int rows_of_Y = made(Op::kTransposed, {Y}, "", Set::kRows);
-  const int K = made(Op::kCongruence, {rows_of_Y, inverse_}, "K", Set::kRows);
+  const int K = made(Op::kCongruence, {rows_of_Y, inverse_}, "K_λ", Set::kRows);
   const int reactions = made(Op::kLeaf, {}, reaction, Set::kRows);
   const int pulled = made(Op::kApply, {made(Op::kScale, {inverse_, Y}), reactions});
   int b = s;
@@ -270,7 +271,7 @@ bool Factoring::along(const Expression& e) {
 }
 
 /// λ = M^T μ, M M^T μ = s.
-bool Factoring::least(const Expression& equation, const Expression& leaves,
+bool Factoring::least(const Expression& equation, const Expression& remainder,
                       const std::string& multiplier) {
   const Sum terms = terms_of(equation);
   const std::optional<Expression> matrix = factor_of(terms, unknown_, kPlus);
@@ -285,13 +286,13 @@ bool Factoring::least(const Expression& equation, const Expression& leaves,
   }
   const Set rows = matrix->shape().rows.set;
   const Set cols = matrix->shape().cols.set;
-  const int K = values_.note(Rule::kLeast, made(Op::kCongruence, {*M}, "K", rows));
+  const int K = values_.note(Rule::kLeast, made(Op::kCongruence, {*M}, "K_μ", rows));
   const int mu = made(Op::kLeaf, {}, multiplier, rows);
   const int turned = made(Op::kTransposed, {*M}, "", cols);
   least_ = values_.note(Rule::kLeast, made(Op::kApply, {turned, mu}, unknown_, cols));
-  const std::optional<int> left = number(block::unnamed(leaves));
+  const std::optional<int> left = number(block::unnamed(remainder));
   if (left) {
-    result_.derivation.shape = leaves.shape();
+    result_.derivation.shape = remainder.shape();
     result_.derivation.roots = {K, *s, least_, *left};
   }
   return left.has_value();
@@ -334,11 +335,11 @@ std::optional<Factored> constrained(const Expression& motion, const Expression& 
                                                                       : std::nullopt;
 }
 
-std::optional<Factored> least(const Expression& equation, const Expression& leaves,
+std::optional<Factored> least(const Expression& equation, const Expression& remainder,
                               const std::string& unknown, const std::string& multiplier) {
   Factored result;
-  return Factoring(result, unknown).least(equation, leaves, multiplier) ? std::optional(result)
-                                                                        : std::nullopt;
+  return Factoring(result, unknown).least(equation, remainder, multiplier) ? std::optional(result)
+                                                                           : std::nullopt;
 }
 
 }  // namespace treedyn::derive

@@ -35,7 +35,8 @@ constexpr std::array<RuleRow, 39> kRules = {{
      "D^T X D = D^T X^c + X^c N, N^T X N = D^T X^s + X^s N: composites X^c = D^T X, X^s = N^T X"},
     {Rule::kPlaceSums, "R7''",
      "1^T X D y = 1^T (D^T X) y; of places P = D s: D^T (P×y) = P×D^T y + N^T (s×D^T y)"},
-    {Rule::kKinds, "R7'", "3x3 blocks keep their kind: D^T (y E) = (D^T y) E, D^T Λ(x) = Λ(D^T x)"},
+    {Rule::kKinds, "R7'",
+     "3x3 blocks keep their kind: D^T (y E_3) = (D^T y) E_3, D^T Λ(x) = Λ(D^T x)"},
     {Rule::kCommon, "R3'",
      "what is the same for all links leaves sums: D^T(y g) = (D^T y) g, D^T(x×g) = (D^T x)×g"},
     {Rule::kParameters, "R10",
@@ -45,18 +46,19 @@ constexpr std::array<RuleRow, 39> kRules = {{
     {Rule::kStart, "F2", "what is added to all sums along paths is where they start"},
     {Rule::kFathers, "F3", "what is made of N x alone is the father's: S(N x) = Π S(D x)"},
     {Rule::kPseudoInertia, "F4",
-     "I α + ω×(I ω) = vee(Ω E), Ω = Λ(α) + Λ(ω)², of the pseudo-inertia E, I = tr(E) - E: the same "
+     "I α + ω×(I ω) = vee(Ω Ψ), Ω = Λ(α) + Λ(ω)², of the second moments Ψ, I = tr(Ψ) E_3 - Ψ: the "
+     "same "
      "products twice; vee(X) = (X_zy - X_yz, X_xz - X_zx, X_yx - X_xy)"},
     {Rule::kComposite, "F5",
-     "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) - F, F = h s^T + s h^T + m s s^T: symmetric"},
-    {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² E): squares and products of ω, each once"},
+     "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) E_3 - F, F = h s^T + s h^T + m s s^T: symmetric"},
+    {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² Ψ): squares and products of ω, each once"},
     {Rule::kTwice, "F7", "D^T a + N^T (a + 2 b) = a + 2 N^T (a + b)"},
     {Rule::kTurned, "F8",
-     "½ (Λ(ω) J_c - J_c Λ(ω) - Λ(J_c ω)) - Λ(c) Λ(ω×h) = -Λ(ω) E, I = tr(E) - E"},
+     "½ (Λ(ω) J_c - J_c Λ(ω) - Λ(J_c ω)) - Λ(c) Λ(ω×h) = -Λ(ω) Ψ, I = tr(Ψ) E_3 - Ψ"},
     {Rule::kRelative, "F9",
      "D^T ω×h + N^T m (ω_f×s + v) = ω_f×h^c + D^T w×h^c + N^T m v: what turns with the father does "
      "not travel"},
-    {Rule::kMomentum, "F9'", "I^c (ω_f×x) - Λ(ω_f) E^c x = (E^c ω_f)×x"},
+    {Rule::kMomentum, "F9'", "I^c (ω_f×x) - Λ(ω_f) Ψ^c x = (Ψ^c ω_f)×x"},
     {Rule::kElimination, "R9",
      "A x = r: U = K b, d = b·U, x = (u - U·y)/d; fathers take K' = K - U U^T/d, p' = p + U u/d"},
     {Rule::kYields, "R9'", "K' b = 0 and b·p' = r: a joint hands on nothing along its axis"},
@@ -66,12 +68,22 @@ constexpr std::array<RuleRow, 39> kRules = {{
     {Rule::kTriangles, "R12'",
      "L x = r: x = r - L' x from the root; L^T x = r: x = r - L'^T x from the leaves"},
     {Rule::kReactions, "R12''",
-     "A x = r + J^T λ, J x = s: L^T Y = J^T, L^T y = r, K λ = s - Y^T Δ^-1 y with K = Y^T Δ^-1 Y"},
-    {Rule::kLeast, "R12'''", "M λ = s, the least λ·λ: λ = M^T μ, K μ = s with K = M M^T"},
+     "A x = r + J^T λ, J x = s: L^T Y = J^T, L^T y = r, K_λ λ = s - Y^T Δ^-1 y, K_λ = Y^T Δ^-1 Y"},
+    {Rule::kLeast, "R12'''", "M λ = s, the least λ·λ: λ = M^T μ, K_μ μ = s with K_μ = M M^T"},
     {Rule::kTrunk, "R13",
      "joints at the root that move a link in every way: y = B q̈ + γ along its axes takes their "
      "place, B^T f = τ"},
 }};
+
+constexpr bool is_in_order() {
+  for (std::size_t k = 0; k < kRules.size(); ++k) {
+    if (kRules[k].rule != static_cast<Rule>(k)) {
+      return false;
+    }
+  }
+  return kRules.size() == static_cast<std::size_t>(Rule::kTrunk) + 1;
+}
+static_assert(is_in_order(), "row_of takes the rows in the order of the enumeration");
 
 }  // namespace
 

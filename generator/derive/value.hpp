@@ -61,19 +61,20 @@ enum class Op {
   kCollect,         ///< 1^T x: over all links or points
   kComponent,       ///< one component in the base frame
   kAssemble,        ///< a vector of three components in the base frame
-  kTravelling,      ///< what a value that is defined by it, son by son or from the father, has here
-  kFold,            ///< a + Π^T b, b made of the sum
-  kAtLink,          ///< x, once; further operands are of interest with it
-  kReciprocal,      ///< 1 / x
-  kLever,           ///< Λ(a) S of a, S; symmetric Λ(a) S^T - T Λ(a) of a, S, T
-  kAcross,          ///< K - U V^T, whose products with b and a^T are zero, of K, U, V, a, b
-  kAlong,           ///< x with a·x = y, of x, a, y
-  kEliminated,      ///< the lower half of a = A - L'^T a, of A, L'
-  kFromLeaves,      ///< x = r - L'^T x, of r, L'
-  kFromRoot,        ///< x = r - L' x, of r, L'
-  kDiagonal,        ///< the diagonal of a matrix of numbers
-  kTransposed,      ///< the transpose of a matrix of numbers
-  kCongruence,      ///< Y d Y^T of Y, d; Y Y^T of Y
+  kTravelling,  ///< a state of R9 or R12 at this link (I^A, α, L'): `definitions` says how it is
+                ///< made, of itself at the sons or at the father
+  kFold,        ///< a + Π^T b, b made of the sum
+  kAtLink,      ///< x, kept for the link under a name: ζ; u, with 1/d as a second operand
+  kReciprocal,  ///< 1 / x
+  kLever,       ///< Λ(a) S of a, S; symmetric Λ(a) S^T - T Λ(a) of a, S, T
+  kAcross,      ///< K - U V^T, whose products with b and a^T are zero, of K, U, V, a, b
+  kAlong,       ///< x with a·x = y, of x, a, y
+  kEliminated,  ///< the lower half of a = A - L'^T a, of A, L'
+  kFromLeaves,  ///< x = r - L'^T x, of r, L'
+  kFromRoot,    ///< x = r - L' x, of r, L'
+  kDiagonal,    ///< the diagonal of a matrix of numbers
+  kTransposed,  ///< the transpose of a matrix of numbers
+  kCongruence,  ///< Y d Y^T of Y, d; Y Y^T of Y
 };
 
 struct Value {
@@ -134,7 +135,7 @@ class Values {
   std::vector<bool> of_unit_;
   std::vector<std::set<Rule>> made_by_;
   std::map<std::string, int> known_;
-  int asked_ = 0;  ///< how often for a value
+  int asked_ = 0;  ///< calls of `intern`, which bound the work of a derivation
   std::map<int, int> definitions_;
   std::set<Rule> acted_;
 };

@@ -1,4 +1,5 @@
-// Joints that move no inertia: vectors x with A x = 0 at a general position.
+// Joints that move no inertia: vectors x with A x = 0 at a general position. Typed by hand, not
+// derived: models are refused before there is a derivation, and this folder sees no equations.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -145,7 +146,8 @@ struct Pivot {
   bool zero = true;  ///< within rounding of 50 digits
 };
 
-/// Pivots by articulated bodies (EQUATIONS.md 7.4), O(N). \param armature  by link
+/// Pivots Δ of A = L^T Δ L (EQUATIONS.md 7.4) as articulated bodies have them (R9), O(N). \param
+/// armature  by link
 std::vector<Pivot> articulated_pivots(const model::Tree& tree, const std::vector<Real>& armature) {
   std::vector<Pivot> pivots(tree.links.size());
   std::vector<Spatial> rigid = transformed(

@@ -97,10 +97,6 @@ class Engine {
   void angular_bias_acceleration(In q, In qd, Out gamma_n) {
     write("angular_bias_acceleration", {view(q), view(qd)}, gamma_n);
   }
-  /// (6)
-  void joint_to_link_vectors(In q, MatrixOut l_D) {
-    write("joint_to_link_vectors", {view(q)}, l_D);
-  }
   /// (7)
   void joint_to_com_vectors(In q, MatrixOut c_fD) {
     write("joint_to_com_vectors", {view(q)}, c_fD);

@@ -36,7 +36,7 @@ const std::vector<SceneFunctionInfo>& scene_function_infos() {
        {impact().motion, impact().rows},
        "Δq̇"},
       {"step", "(8),(12)", "State one step of the scene's integrator later; phases change inside."},
-      {"contact_force", "6.5",
+      {"contact_force", "6.2",
        "Force of the ground on a point, base frame; zero above the ground."}};
   return infos;
 }

@@ -16,7 +16,8 @@ struct SceneFunctionInfo {
   const char* what;
   std::vector<block::Expression> equations{};  ///< none: no block equation
   const char* unknown = "";                    ///< for which the equations are zero, beside λ
-  const char* leaves = "";  ///< what the least λ for which the first is zero leaves: the second
+  const char* remainder =
+      "";  ///< the second equation, with the least λ for which the first is zero
 };
 
 /// All of them, in order.

@@ -9,10 +9,6 @@ namespace treedyn::formulate {
 
 namespace {
 
-const model::GroundContact& contact_of(const Task& task) {
-  return task.options.scene->contacts[to_index(task.options.contact)];
-}
-
 Expr depth_of(const Task& task, const model::Plane& plane, const Vec3& p) {
   Graph& graph = task.kinematics.graph();
   return constant(graph, plane.height) - dot(constant(graph, plane.normal), p);
@@ -34,17 +30,15 @@ struct Slip {
   Expr normal;
 };
 
-Slip slip_of(const Task& task, const SceneForces& forces) {
-  const model::GroundContact& c = contact_of(task);
+Slip slip_of(const Task& task, const SceneForces& forces, const model::GroundContact& c) {
   const Vec3 v = forces.velocity(c.point);
   return {v, dot(constant(task.kinematics.graph(), c.plane.normal), v)};
 }
 
 /// The law that presses. \param power_array  d^n where the contact needs_power
-Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& slip,
-         int power_array) {
+Expr law(const Task& task, const SceneForces& forces, const model::GroundContact& c, Expr depth,
+         const Slip& slip, int power_array) {
   Graph& graph = task.kinematics.graph();
-  const model::GroundContact& c = contact_of(task);
   return value_of(graph, model::normal_law(c), [&](const model::Variable& v) {
     switch (v.quantity) {
       case model::Quantity::kDepth:
@@ -60,8 +54,8 @@ Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& sl
   });
 }
 
-Vec3 force(const Task& task, Expr press, const Slip& slip) {
-  const model::VectorExpression law = model::contact_force(contact_of(task));
+Vec3 force(const Task& task, const model::GroundContact& c, Expr press, const Slip& slip) {
+  const model::VectorExpression law = model::contact_force(c);
   const Meaning meaning = [&](const model::Variable& v) {
     return v.quantity == model::Quantity::kPress         ? press
            : v.quantity == model::Quantity::kNormalSpeed ? slip.normal
@@ -84,13 +78,13 @@ std::vector<Expr> contact_depths(const model::Scene& scene, const Task& task,
   });
 }
 
-std::vector<Expr> build_contact_press(const Task& task) {
+std::vector<Expr> build_contact_press(const Task& task, std::size_t contact) {
   const SceneForces forces(task, {.tau = -1});
-  const model::GroundContact& c = contact_of(task);
-  const Slip slip = slip_of(task, forces);
-  const Expr depth = input(task.kinematics.graph(), kDepthArray, task.options.contact);
-  std::vector<Expr> result = {law(task, forces, depth, slip, kForceArray + 1)};
-  const Vec3 f = force(task, input(task.kinematics.graph(), kNormalArray, 0), slip);
+  const model::GroundContact& c = task.options.scene->contacts[contact];
+  const Slip slip = slip_of(task, forces, c);
+  const Expr depth = input(task.kinematics.graph(), kDepthArray, static_cast<int>(contact));
+  std::vector<Expr> result = {law(task, forces, c, depth, slip, kForceArray + 1)};
+  const Vec3 f = force(task, c, input(task.kinematics.graph(), kNormalArray, 0), slip);
   const std::vector<Expr> Q = build_loaded(
       task, *derived("applied_force"), {{task.options.scene->points[to_index(c.point)]}, {f}, {{}}},
       task.kinematics.variant().way);
@@ -100,14 +94,14 @@ std::vector<Expr> build_contact_press(const Task& task) {
   return result;
 }
 
-std::vector<Expr> build_contact_force(const Task& task) {
+std::vector<Expr> build_contact_force(const Task& task, std::size_t contact) {
   const SceneForces forces(task, {.tau = -1});
-  const model::GroundContact& c = contact_of(task);
-  const Slip slip = slip_of(task, forces);
+  const model::GroundContact& c = task.options.scene->contacts[contact];
+  const Slip slip = slip_of(task, forces, c);
   const Expr depth = input(task.kinematics.graph(), kDepthArray, 0);
-  const Vec3 f = force(task, input(task.kinematics.graph(), kNormalArray, 0), slip);
+  const Vec3 f = force(task, c, input(task.kinematics.graph(), kNormalArray, 0), slip);
   const Expr height = depth_of(task, c.plane, forces.position(c.point));
-  return {height, law(task, forces, depth, slip, kNormalArray + 1), f[0], f[1], f[2]};
+  return {height, law(task, forces, c, depth, slip, kNormalArray + 1), f[0], f[1], f[2]};
 }
 
 }  // namespace treedyn::formulate

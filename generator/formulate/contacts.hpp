@@ -20,11 +20,11 @@ inline constexpr int kForceArray = 4;   ///< joint forces
 /// have d^n as their last input array.
 bool needs_power(const model::GroundContact& contact);
 
-/// The contact task.options.contact while its point is below the plane. Values: the law's f, before
-/// negative ones become zero (1), and the joint forces with J^T of the contact force added (N).
-std::vector<Expr> build_contact_press(const Task& task);
+/// A contact of the scene while its point is below the plane. Values: the law's f, before negative
+/// ones become zero (1), and the joint forces with J^T of the contact force added (N).
+std::vector<Expr> build_contact_press(const Task& task, std::size_t contact);
 
 /// The depth (1), the law's f (1) and the force at the point, base frame (3).
-std::vector<Expr> build_contact_force(const Task& task);
+std::vector<Expr> build_contact_force(const Task& task, std::size_t contact);
 
 }  // namespace treedyn::formulate

@@ -36,7 +36,6 @@ struct Options {
   std::vector<model::JointForce> phase_forces = {};  ///< of scene functions: those of the phase
   Real restitution = 0;                              ///< of impacts
   std::vector<int> held = {};  ///< of impacts: the active constraints that are led through it
-  int contact = 0;             ///< of functions of one ground contact: which
   std::vector<model::Event> events = {};  ///< of functions of events: which
   bool share_limbs = false;               ///< equal limbs share code, see program/limb_code.hpp
   bool metres = false;                    ///< no other unit of length

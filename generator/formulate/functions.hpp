@@ -33,7 +33,8 @@ struct Freedom {
   Way way = Way::kToRoot;     ///< where they stand without a search
   bool open_way = false;      ///< a search without moves tries all, too: none is known to be best
   bool fixed_frames = false;  ///< results refer to the model's own link origins: no slide
-  bool fixed_length = false;  ///< points occur: the metre stays the unit of length
+  bool fixed_length = false;  ///< of those with regrouping, which alone may have another unit of
+                              ///< length: lengths in metres occur
   bool own_code = false;      ///< limbs share none
 };
 

@@ -307,10 +307,10 @@ const Kinematics::Body& Kinematics::written(int i, Bodies& bodies,
   if (is_new) {
     body.mass = own(i, of_peers(i, [this](int peer) { return link(peer).mass; }));
     body.moment = own_vector(i, &NormalLink::moment);
-    body.pseudo = own_matrix(i, tensor);
+    body.tensor = own_matrix(i, tensor);
     for (const PlaneRotation& step : turn_of_frame(i)) {
       body.moment = step.forward(body.moment);
-      body.pseudo = step.forward_symmetric(body.pseudo);
+      body.tensor = step.forward_symmetric(body.tensor);
     }
   }
   return body;

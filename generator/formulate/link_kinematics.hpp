@@ -114,14 +114,15 @@ class Kinematics {
   /// The joint axis in the father's expression frame.
   [[nodiscard]] Vec3 axis_in_father(int i) const;
 
-  /// Mass, first moment and pseudo-inertia of link i alone, in its expression frame.
+  /// What a link is to the equations of motion, about the origin of its expression frame.
   struct Body {
     Expr mass;
-    Vec3 moment;
-    Mat3 pseudo;
+    Vec3 moment;  ///< first
+    Mat3 tensor;  ///< pseudo-inertia E, or inertia tensor tr(E) 1 - E
   };
+  /// Of link i alone, with its pseudo-inertia.
   [[nodiscard]] const Body& body(int i) const;
-  /// The same with the inertia tensor tr(E) - E in place of the pseudo-inertia E.
+  /// The same with its inertia tensor.
   [[nodiscard]] const Body& body_with_inertia_tensor(int i) const;
   /// A point or direction given in the model's frame of link i, in the link's expression frame.
   [[nodiscard]] Vec3 point(int i, const Vector3& at) const;

@@ -42,6 +42,8 @@ class Lowering {
  private:
   using Value = derive::Value;
   /// Values that are computed together: one behind the other, or all of a link before the next.
+  /// Stages come in threes, each number modulo 3 has its walk: 0 kWhole, 1 kToSons, 2 kToFathers,
+  /// 3 kWhole, ..; those that no value needs are empty.
   enum class Walk { kWhole, kToSons, kToFathers };
   struct Stage {
     std::vector<int> sums;  ///< sums along the tree, and what they need

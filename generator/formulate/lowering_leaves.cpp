@@ -100,7 +100,7 @@ Block Lowering::orientation(const equations::UserFrame& frame) const {
 Mat3 Lowering::tensor_about_joint(int e) const {
   const Kinematics& k = task_.kinematics;
   if (function_.regroups) {
-    return k.body_with_inertia_tensor(e).pseudo;
+    return k.body_with_inertia_tensor(e).tensor;
   }
   const model::Inertia& inertia = task_.tree.links[to_index(e)].inertia;
   const Mat3 square = skew_squared(k.point(e, inertia.com));
@@ -114,7 +114,7 @@ Mat3 Lowering::tensor_about_joint(int e) const {
 /// E of I = tr(E) - E.
 Mat3 Lowering::pseudo_inertia(int e) const {
   if (function_.regroups) {
-    return task_.kinematics.body(e).pseudo;
+    return task_.kinematics.body(e).tensor;
   }
   return pseudo_inertia_of(graph(), tensor_about_joint(e));
 }

@@ -113,35 +113,35 @@ Mat3 Lowering::turned_by_column(int i, const Vec3& omega, const Vec3& third, con
 namespace {
 
 /// vee(Omega E) of a body that does not accelerate: Omega is symmetric.
-Vec3 centrifugal_moment(const Mat3& Omega, const Mat3& e) {
-  const Mat3 m = Omega * e;
+Vec3 centrifugal_moment(const Mat3& Omega, const Mat3& E) {
+  const Mat3 m = Omega * E;
   return {m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]};
 }
 
 /// vee(Omega E): the moment of a turning body by its pseudo-inertia.
-Vec3 moment_by_pseudo_inertia(const Mat3& u, Expr xx_zz, const Mat3& e) {
-  return {sum({u[2][1] * e[1][1], u[2][0] * e[0][1], -(u[1][0] * e[0][2]), -(u[1][2] * e[2][2]),
-               (u[2][2] - u[1][1]) * e[1][2]}),
-          sum({u[0][2] * e[2][2], u[0][1] * e[1][2], -(u[2][1] * e[0][1]), -(u[2][0] * e[0][0]),
-               xx_zz * e[0][2]}),
-          sum({u[1][0] * e[0][0], u[1][2] * e[0][2], -(u[0][2] * e[1][2]), -(u[0][1] * e[1][1]),
-               (u[1][1] - u[0][0]) * e[0][1]})};
+Vec3 moment_by_pseudo_inertia(const Mat3& Omega, Expr xx_zz, const Mat3& E) {
+  return {sum({Omega[2][1] * E[1][1], Omega[2][0] * E[0][1], -(Omega[1][0] * E[0][2]),
+               -(Omega[1][2] * E[2][2]), (Omega[2][2] - Omega[1][1]) * E[1][2]}),
+          sum({Omega[0][2] * E[2][2], Omega[0][1] * E[1][2], -(Omega[2][1] * E[0][1]),
+               -(Omega[2][0] * E[0][0]), xx_zz * E[0][2]}),
+          sum({Omega[1][0] * E[0][0], Omega[1][2] * E[0][2], -(Omega[0][2] * E[1][2]),
+               -(Omega[0][1] * E[1][1]), (Omega[1][1] - Omega[0][0]) * E[0][1]})};
 }
 
 /// J alpha + omega x J omega by the inertia tensor J = tr(E) - E.
-Vec3 moment_by_tensor(const Mat3& u, const Vec3& alpha, const Vec3& omega, Expr xx, Expr yy,
-                      const Mat3& e) {
+Vec3 moment_by_tensor(const Mat3& Omega, const Vec3& alpha, const Vec3& omega, Expr xx, Expr yy,
+                      const Mat3& E) {
   const auto& [x, y, z] = omega;
   const Expr zz = z * z;
-  const Expr jx = e[1][1] + e[2][2];
-  const Expr jy = e[0][0] + e[2][2];
-  const Expr jz = e[0][0] + e[1][1];
-  return {sum({jx * alpha[0], (jz - jy) * (y * z), e[0][1] * u[2][0], -(e[0][2] * u[1][0]),
-               -((yy - zz) * e[1][2])}),
-          sum({jy * alpha[1], (jx - jz) * (x * z), -(e[0][1] * u[2][1]), e[1][2] * u[0][1],
-               -((zz - xx) * e[0][2])}),
-          sum({jz * alpha[2], (jy - jx) * (x * y), e[0][2] * u[1][2], -(e[1][2] * u[0][2]),
-               -((xx - yy) * e[0][1])})};
+  const Expr jx = E[1][1] + E[2][2];
+  const Expr jy = E[0][0] + E[2][2];
+  const Expr jz = E[0][0] + E[1][1];
+  return {sum({jx * alpha[0], (jz - jy) * (y * z), E[0][1] * Omega[2][0], -(E[0][2] * Omega[1][0]),
+               -((yy - zz) * E[1][2])}),
+          sum({jy * alpha[1], (jx - jz) * (x * z), -(E[0][1] * Omega[2][1]), E[1][2] * Omega[0][1],
+               -((zz - xx) * E[0][2])}),
+          sum({jz * alpha[2], (jy - jx) * (x * y), E[0][2] * Omega[1][2], -(E[1][2] * Omega[0][2]),
+               -((xx - yy) * E[0][1])})};
 }
 
 }  // namespace

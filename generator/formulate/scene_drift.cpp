@@ -1,7 +1,7 @@
 #include "formulate/scene_drift.hpp"
 
 #include "common/index.hpp"
-#include "formulate/scene_frame.hpp"
+#include "formulate/derived.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {
@@ -106,14 +106,7 @@ class Drift {
     const Expr x = half_difference(2, 1);
     const Expr y = half_difference(0, 2);
     const Expr z = half_difference(1, 0);
-    const SceneFrame frame(task_, false);
-    Vec3 omega;
-    for (const auto& [k, column] :
-         frame.turning(scene_.points[to_index(constraint_.point)]).columns) {
-      const Expr speed = forces_.meaning()({model::Quantity::kVelocity, k});
-      omega = omega + speed * column;
-    }
-    return {{x, y, z}, omega};
+    return {{x, y, z}, forces_.angular_velocity(constraint_.point)};
   }
 
   [[nodiscard]] Errors of_joined() const {

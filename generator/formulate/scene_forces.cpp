@@ -7,6 +7,8 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "equations/equations.hpp"
+#include "equations/symbols.hpp"
 #include "formulate/derived.hpp"
 #include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"
@@ -18,6 +20,14 @@ using model::Quantity;
 namespace {
 
 bool depends_on_time(const model::Expression& e) { return e.uses(Quantity::kTime); }
+
+/// ω = H^T q̇ of the links of points.
+const Derived& angular_velocities() {
+  static const Derived function = *derived_part(
+      "ω",
+      block::transpose(equations::moment_jacobian_transpose(equations::points())) * equations::qd);
+  return function;
+}
 
 bool any_depends_on_time(std::span<const model::Expression> all) {
   return std::ranges::any_of(all, [](const model::Expression& e) { return depends_on_time(e); });
@@ -73,6 +83,14 @@ Vec3 SceneForces::velocity(int point) const {
   const Kinematics& k = moving_ ? *moving_ : task_.kinematics;
   return triple(values_at({task_.tree, task_.normal, task_.options, k}, "point_velocities",
                           {scene_.points[to_index(point)]}, Way::kToRoot));
+}
+
+Vec3 SceneForces::angular_velocity(int point) const {
+  Options options = task_.options;
+  options.points = {scene_.points[to_index(point)]};
+  const Kinematics& k = moving_ ? *moving_ : task_.kinematics;
+  return triple(
+      build_derived({task_.tree, task_.normal, options, k}, angular_velocities(), Way::kInLinks));
 }
 
 Vec3 SceneForces::load(const model::PointLaw& law) const {

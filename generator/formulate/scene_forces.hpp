@@ -32,6 +32,8 @@ class SceneForces {
   /// Position and velocity of a point, base frame.
   [[nodiscard]] Vec3 position(int point) const;
   [[nodiscard]] Vec3 velocity(int point) const;
+  /// Angular velocity of the link of a point, base frame.
+  [[nodiscard]] Vec3 angular_velocity(int point) const;
 
  private:
   [[nodiscard]] Expr input(int array, int element) const;

@@ -72,7 +72,7 @@ Inputs SceneFormulator::places() const {
 
 program::Function SceneFormulator::plain(const program::Signature& signature,
                                          std::vector<Expr> (*build)(const Task& task)) const {
-  const Recipe recipe{places(), {.fixed_length = true}, build};
+  const Recipe recipe{places(), {}, build};
   program::Function function = cheapest_by_structure(scene_.tree, recipe, options_);
   function.signature = signature;
   return function;
@@ -327,11 +327,11 @@ void SceneFormulator::add_power(std::size_t contact, std::size_t gate,
 }
 
 program::Staged SceneFormulator::contact_press(std::size_t contact) const {
-  Options options = options_;
-  options.contact = static_cast<int>(contact);
-  const Recipe recipe{{.q = 0, .qd = 1}, {.fixed_length = true}, build_contact_press};
+  const Recipe recipe{{.q = 0, .qd = 1}, {}, [contact](const Task& task) {
+                        return build_contact_press(task, contact);
+                      }};
   program::Staged staged;
-  staged.function = cheapest_by_structure(scene_.tree, recipe, options);
+  staged.function = cheapest_by_structure(scene_.tree, recipe, options_);
   const int count = static_cast<int>(scene_.contacts.size());
   const program::Array depth = {program::kDepthArray, count, "m"};
   const program::Array force = {program::kForceArray, dof_, kForceUnit};
@@ -350,11 +350,11 @@ program::Staged SceneFormulator::contact_press(std::size_t contact) const {
 }
 
 program::Staged SceneFormulator::contact_force(std::size_t contact) const {
-  Options options = options_;
-  options.contact = static_cast<int>(contact);
-  const Recipe recipe{{.q = 0, .qd = 1}, {.fixed_length = true}, build_contact_force};
+  const Recipe recipe{{.q = 0, .qd = 1}, {}, [contact](const Task& task) {
+                        return build_contact_force(task, contact);
+                      }};
   program::Staged staged;
-  staged.function = cheapest_by_structure(scene_.tree, recipe, options);
+  staged.function = cheapest_by_structure(scene_.tree, recipe, options_);
   const program::Array depth = {program::kDepthArray, 1, "m"};
   const program::Array f = {"f", 3, "N"};
   staged.signature = signature_of("contact_force", contact_name(scene_, contact, "contact_force"),

@@ -94,8 +94,7 @@ std::vector<Row> rows_along(const std::vector<Vec3>& directions,
   return rows;
 }
 
-}  // namespace
-
+/// True if the directions are an orthonormal basis.
 bool is_triad(const std::vector<model::Vector3>& directions) {
   if (directions.size() != 3) {
     return false;
@@ -110,6 +109,8 @@ bool is_triad(const std::vector<model::Vector3>& directions) {
   }
   return true;
 }
+
+}  // namespace
 
 SceneRows::SceneRows(const model::Scene& scene, const std::vector<int>& active,
                      const SceneFrame& frame, Graph& graph, const Meaning& meaning,

@@ -57,7 +57,4 @@ class SceneRows {
 /// \pre `frame` is that of no trunk
 std::vector<Row> base_rows(const model::Scene& scene, const SceneFrame& frame, Graph& graph);
 
-/// True if the directions are an orthonormal basis.
-bool is_triad(const std::vector<model::Vector3>& directions);
-
 }  // namespace treedyn::formulate

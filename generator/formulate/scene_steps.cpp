@@ -97,7 +97,7 @@ class StepMaker {
 Staged StepMaker::local(const std::string& name, const Options& options, const Inputs& places,
                         std::vector<Expr> (*build)(const Task&), std::vector<program::Array> inputs,
                         program::Array output) const {
-  const Recipe recipe{places, {.fixed_length = true}, build};
+  const Recipe recipe{places, {}, build};
   Staged staged;
   staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   staged.signature = {name, "", "", std::move(inputs), {std::move(output)}};

@@ -53,7 +53,7 @@ std::vector<Real> parameters_near(const model::Tree& tree, const model::Vector3&
 /// With nominal values of run-time parameters, and with others.
 void check_scene(const Model& model, const program::Programs& programs) {
   if (!programs.update) {
-    check_scene_at_states(*model.scene, programs);
+    verify::check_scene_at_states(*model.scene, programs);
     return;
   }
   constexpr double kMore[] = {0.5, 0.05, 0.005};  // of the nominal values, where that is a number
@@ -63,7 +63,8 @@ void check_scene(const Model& model, const program::Programs& programs) {
     const std::vector<Real> derived = program::interpret<Real>(*programs.update, inputs);
     const bool is_there = std::ranges::all_of(derived, [](const Real& x) { return isfinite(x); });
     if (is_there) {
-      check_scene_at_states(formulate::with_values(*model.scene, values), programs, derived);
+      verify::check_scene_at_states(formulate::with_values(*model.scene, values), programs,
+                                    derived);
     }
     return is_there;
   };
@@ -82,13 +83,13 @@ void check_at_states(const Model& model, const Request& request,
                        });
   model::Vector3 gravity = decided_request(model, request).gravity;
   std::ranges::for_each(gravity, [](Real& x) { x = x.plain(); });
-  UserEquations equations;
+  verify::UserEquations equations;
   for (const auto& function : model.equations) {
     equations.push_back(&function->equation);
   }
   try {
-    check_at_states(model.tree, model.points, gravity, equations, of_model,
-                    programs.update ? &*programs.update : nullptr);
+    verify::check_at_states(model.tree, model.points, gravity, equations, of_model,
+                            programs.update ? &*programs.update : nullptr);
   } catch (const std::range_error& error) {
     refuse_decades(model.tree, error.what());
   }

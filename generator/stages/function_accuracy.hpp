@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "accuracy/function_errors.hpp"
-#include "pipeline.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 
 /// Every function of the model as asked for, then with each pass switched off, without any, with
 /// other sines and cosines, and forward dynamics both ways. Equations of users too.
-/// \throws InputError if the model has none of the functions that were asked for
+/// \throws UsageError if only functions of a scene were asked for
 accuracy::FunctionStudy function_accuracy(const Model& model, const Request& request, int states,
                                           const Trace& trace);
 

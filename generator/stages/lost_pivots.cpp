@@ -8,6 +8,7 @@
 #include "common/transformed.hpp"
 #include "description/vectors.hpp"
 #include "engine/engine.hpp"
+#include "engine/inertia_factor.hpp"
 #include "program/interpret.hpp"
 #include "stages/stages.hpp"
 
@@ -36,24 +37,20 @@ Real own_inertia(const model::Link& link) {
 /// Inertias by coordinate at a state.
 struct Inertias {
   std::vector<double> whole;   ///< the diagonal of A
-  std::vector<double> pivots;  ///< what is left of it behind the elimination from the last row
+  std::vector<double> pivots;  ///< Δ of A = L^T Δ L
 };
 
-Inertias inertias(std::vector<double> A, std::size_t n) {
-  Inertias result;
-  for (std::size_t k = 0; k < n; ++k) {
-    result.whole.push_back(A[k * n + k]);
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t i = 0; i < k; ++i) {
-      for (std::size_t j = 0; j < k; ++j) {
-        A[i * n + j] -= A[k * n + i] * A[k * n + j] / A[k * n + k];
-      }
-    }
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    result.pivots.push_back(A[k * n + k]);
-  }
+using Matrix = engine::Engine<double>::Matrix;
+
+std::vector<double> diagonal(const Matrix& A) {
+  const auto all = A.diagonal();
+  return {all.begin(), all.end()};
+}
+
+Inertias inertias(Matrix A) {
+  Inertias result{diagonal(A), {}};
+  engine::factorize(A);
+  result.pivots = diagonal(A);
   return result;
 }
 
@@ -88,11 +85,12 @@ Joints::Joints(const Model& model, emit::Scalar scalar)
   }
   engine::Engine<double> engine(tree);
   for (const std::vector<double>& q : states_) {
-    std::vector<double> A = engine.evaluate("mass_matrix", {q});
-    for (std::size_t k = 0; k < n; ++k) {
-      A[k * (n + 1)] += rotors[k];
+    Matrix A(tree.dof(), tree.dof());
+    std::ranges::copy(engine.evaluate("mass_matrix", {q}), A.data());
+    for (int k = 0; k < tree.dof(); ++k) {
+      A(k, k) += rotors[to_index(k)];
     }
-    inertias_.push_back(inertias(std::move(A), n));
+    inertias_.push_back(inertias(A));
   }
   const double rounding = kSafe * emit::pivot_rounding(tree.dof(), scalar);
   for (std::size_t k = 0; k < n; ++k) {

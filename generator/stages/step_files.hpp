@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "pipeline.hpp"
+#include "stages/stages.hpp"
 
 namespace treedyn {
 

@@ -15,7 +15,7 @@
 #include "program/rounding.hpp"
 #include "verify/solve.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 namespace {
 
@@ -94,7 +94,7 @@ Numbers interpreted(const program::Function& function, const std::vector<Values>
 /// decades apart: no digit would be left in double
 void compare(const std::string& name, const Numbers& ours, const Values& engines,
              const Real& largest_inertia) {
-  const Real largest = treedyn::largest(engines);
+  const Real largest = verify::largest(engines);
   const Real tolerance = largest * Real("1e-35") + Real("1e-40");
   const Real no_digit = largest * Real("1e-17");
   const Real dropped = largest_inertia * (1 + largest);
@@ -332,4 +332,4 @@ void check_at_states(const model::Tree& tree, const std::vector<model::Point>& p
   }
 }
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

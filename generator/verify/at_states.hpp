@@ -7,7 +7,7 @@
 #include "model/tree.hpp"
 #include "program/function.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 /// Equations of users.
 using UserEquations = std::vector<const equations::UserEquation*>;
@@ -25,4 +25,4 @@ void check_at_states(const model::Tree& tree, const std::vector<model::Point>& p
                      const std::vector<program::Function>& functions,
                      const program::Function* update = nullptr);
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

@@ -18,7 +18,7 @@
 #include "verify/scene_equations.hpp"
 #include "verify/solve.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 namespace {
 
@@ -520,4 +520,4 @@ void check_scene_at_states(const model::Scene& scene, const program::Programs& p
   }
 }
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

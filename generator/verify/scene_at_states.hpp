@@ -6,7 +6,7 @@
 #include "model/scene.hpp"
 #include "program/programs.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 /// Evaluates the functions of a scene with 50 digits at a fixed pseudo-random state, nearer to the
 /// scene's start if an expression has no value there, and holds them
@@ -19,4 +19,4 @@ namespace treedyn {
 void check_scene_at_states(const model::Scene& scene, const program::Programs& programs,
                            const std::vector<Real>& derived = {});
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

@@ -8,7 +8,7 @@
 #include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 namespace {
 
@@ -266,4 +266,4 @@ SceneEquations::Values SceneEquations::contact(const model::GroundContact& conta
   return force;
 }
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

@@ -6,7 +6,7 @@
 #include "engine/engine.hpp"
 #include "model/scene.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 /// (8) and the rows of 6.1 of a scene: A qdd + bias - J^T lambda = force, J qdd + gamma = wanted.
 class SceneEquations {
@@ -63,4 +63,4 @@ class SceneEquations {
   std::vector<std::vector<Row>> rows_;  ///< of every constraint; nothing is wanted of them
 };
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

@@ -5,7 +5,7 @@
 
 #include "common/transformed.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 Real dot(const Values& a, const Values& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
@@ -112,4 +112,4 @@ Solution least_squares(const Matrix& K, const Values& b) {
   return result;
 }
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

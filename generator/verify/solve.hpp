@@ -5,7 +5,7 @@
 
 #include "common/real.hpp"
 
-namespace treedyn {
+namespace treedyn::verify {
 
 using Values = std::vector<Real>;
 using Matrix = std::vector<Values>;  ///< row by row
@@ -28,4 +28,4 @@ Solution solved(Matrix s, Values b, const Real& least = Real("1e-25"));
 /// K = L L^T: x = L (L^T L)^-2 L^T b. Pivots of K as in `solved`; the smallest is of K or of L^T L.
 Solution least_squares(const Matrix& K, const Values& b);
 
-}  // namespace treedyn
+}  // namespace treedyn::verify

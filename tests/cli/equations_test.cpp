@@ -410,12 +410,12 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(rows.out, HasSubstr("\n  R12'' A x = r + J^T λ"));
   EXPECT_THAT(rows.out, HasSubstr("λ, zero there; errata of the print mended: E1 E2 E3 E4 E5 E6 "));
   EXPECT_THAT(rows.out, HasSubstr("x8 = x2 - x7\n"));
-  EXPECT_THAT(rows.out, HasSubstr(" λ of K λ = x8  <- R12''\n"));
+  EXPECT_THAT(rows.out, HasSubstr(" λ of K_λ λ = x8  <- R12''\n"));
   const Outcome least = treedyn({"info", kModel, "--derivation", "constrained_inverse_dynamics"});
   EXPECT_THAT(least.out, HasSubstr("equation (8),(12) for the least λ, zero there, and τ"));
   EXPECT_THAT(least.out, HasSubstr("\n  E_u^T J^T λ - E_u^T h\n"));
   EXPECT_THAT(least.out, HasSubstr("\n  R12''' M λ = s, the least λ·λ"));
-  EXPECT_THAT(least.out, HasSubstr(" μ of K μ = x"));
+  EXPECT_THAT(least.out, HasSubstr(" μ of K_μ μ = x"));
   EXPECT_THAT(treedyn({"info", kModel, "--derivation", "reaction_bias_acceleration"}).out,
               HasSubstr("\n  γ = S_f^T γ_f + S_n^T γ_n\n"));
   expect_usage_error(treedyn({"info", kModel, "--derivation", "dynamics_terms"}),

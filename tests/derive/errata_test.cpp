@@ -231,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(Trees, Errata,
 TEST(Table, NamesErrataThatEquationsMdExplains) {
   std::ifstream file(TREEDYN_SOURCE_DIR "/generator/equations/EQUATIONS.md");
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  for (const equations::Equation& equation : equations::table()) {
+  for (const equations::Equation& equation : equations::functions()) {
     std::stringstream errata{std::string(equation.errata)};
     for (std::string id; errata >> id;) {
       EXPECT_NE(text.find("\n| " + id + " | "), std::string::npos) << equation.name << " " << id;

@@ -20,6 +20,7 @@ std::vector<Json> golden_cases() {
        std::filesystem::directory_iterator(TREEDYN_SOURCE_DIR "/tests/data/golden")) {
     result.push_back(Json::parse(support::read_file(entry.path())));
   }
+  EXPECT_EQ(result.size(), 18U);  // c01 to c18, EQUATIONS.md 9
   return result;
 }
 

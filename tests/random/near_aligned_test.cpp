@@ -182,7 +182,7 @@ void expect_accurate(const model::Tree& tree, const formulate::Options& options,
     const program::Function function = formulate::formulated(tree, name, options);
     const program::Function before = plain(tree, name, options);
     EXPECT_LE(function.rounding.amplification, 4) << name;
-    EXPECT_NO_THROW(check_at_states(tree, options.points, options.gravity, {}, {function}));
+    EXPECT_NO_THROW(verify::check_at_states(tree, options.points, options.gravity, {}, {function}));
     for (int state = 0; state < 2; ++state) {
       std::vector<std::vector<float>> inputs;
       for (const program::Array& array : function.signature.inputs) {
@@ -272,7 +272,8 @@ TEST(ModelsThatWereWrong, KeepTheAccuracyOfTheEquations) {
       expect_accurate(tree, options, random);
       options.points.emplace_back().link = tree.size() - 1;
       const auto rotations = formulate::formulated(tree, "point_rotations", options);
-      EXPECT_NO_THROW(check_at_states(tree, options.points, options.gravity, {}, {rotations}));
+      EXPECT_NO_THROW(
+          verify::check_at_states(tree, options.points, options.gravity, {}, {rotations}));
     }
   }
 }

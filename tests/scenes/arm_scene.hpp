@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "scenes/status.hpp"
 #include "support/compiled.hpp"
 #include "support/process.hpp"
 

@@ -57,8 +57,8 @@ Exact exact_motion(const model::Scene& scene, const CompiledModel::Inputs& state
   const auto digits = [](const Vector& x) {
     return Exact(x.begin(), x.end());
   };
-  const SceneEquations equations(scene, digits(state[0]), digits(state[1]), 0);
-  const std::vector<SceneEquations::Row> rows = equations.rows(scene.phases.front().active);
+  const verify::SceneEquations equations(scene, digits(state[0]), digits(state[1]), 0);
+  const std::vector<verify::SceneEquations::Row> rows = equations.rows(scene.phases.front().active);
   const std::size_t n = state[0].size();
   const std::size_t size = n + rows.size();
   std::vector<Exact> M(size, Exact(size));

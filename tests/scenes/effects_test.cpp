@@ -368,7 +368,6 @@ TEST(Effects, APowerLawRaisesTheDepth) {  // E1: pow where it is needed, and now
 TEST(Contact, TellsADepthThatIsNoNumber) {
   const ArmScene scene(kGround);
   const Vector q = {std::numeric_limits<double>::quiet_NaN(), -0.3};
-  constexpr int kNotANumber = 16;
   EXPECT_EQ(scene.code().measure("contact_force", {q, kqd}).status, kNotANumber);
   EXPECT_EQ(scene.code().measure("constrained_dynamics", {q, kqd, ktau}).status, kNotANumber);
   const SceneCode ball(

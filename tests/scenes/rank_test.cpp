@@ -115,7 +115,7 @@ TEST(Rank, OfASingularPositionIsToldAndReactionsAreTheLeast) {
     std::ranges::generate(q, [&] { return angle(random); });
     q[4] = 0;
     const Measurement at = called(held, {q, Vector(6), Vector(6)});
-    EXPECT_EQ(at.status, 1) << n;  // rank_lost
+    EXPECT_EQ(at.status, kRankLost) << n;
     const Six rows = six_of(held.code(), q);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_K(rows.K);
     const Eigen::MatrixXd V = of_K.eigenvectors().rightCols(5);
@@ -143,7 +143,7 @@ TEST_P(InScalar, PositionsOffTheMotionsOfASingularBeginningAreTold) {
     }
     if (least_part(six_of(held.code(), q).K) > 1e-4) {
       const Measurement at = called(held, {q, Vector(6), Vector(6)});
-      EXPECT_EQ(at.status, 2) << n;  // row_given_up
+      EXPECT_EQ(at.status, kRowGivenUp) << n;
       ++told;
     }
   }
