@@ -16,6 +16,7 @@
 #include "model/effects.hpp"
 #include "model/scene_facts.hpp"
 #include "request/limits.hpp"
+#include "request/read_model.hpp"
 #include "simulation/integrator.hpp"
 #include "stages/step_files.hpp"
 #include "system/files.hpp"
@@ -153,6 +154,9 @@ std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request,
   form.scalar = result.generated->scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
   const StepFiles files = StepWriter(request.scene).files(result.scene, form);
   result.warnings = files.warnings;
+  for (const Warning& rest : impacts_without_rest(result.scene, {request.scene, 0, 0})) {
+    result.warnings.push_back(rest);
+  }
   formulate::settle_loops(result.scene);
   formulate::settle_sticking(result.scene);
   const auto step = static_cast<double>(result.scene.stepping.step);

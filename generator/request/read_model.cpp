@@ -64,9 +64,9 @@ void check_functions(const Model& model, const Location& where) {
   for (const std::string& name : model.functions) {
     const auto points = static_cast<int>(model.points.size());
     if (points == 0 && is_empty(formulate::signature(name, model.tree.dof(), points))) {
-      throw InputError(where, fmt::format("function '{}' needs points and the model has none; "
-                                          "expected --points",
-                                          name));
+      throw InputError(where, fmt::format("function '{}' needs points and the {}", name,
+                                          model.scene ? "scene lists none; expected `points` in it"
+                                                      : "model has none; expected --points"));
     }
     if (name == "inverse_dynamics_regressor" && model.tree.mimics() > 0) {
       throw InputError(where, fmt::format("function '{}' needs a coordinate for every joint and {} "

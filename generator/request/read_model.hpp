@@ -46,4 +46,7 @@ std::vector<std::string> input_files(const Model& model, const Request& request)
 /// Remarks on a model that do not stop the program.
 std::vector<Warning> warnings_of(const Model& model, const Request& request);
 
+/// What impacts stop and a generated step of the scene does not keep there.
+std::vector<Warning> impacts_without_rest(const model::Scene& scene, const Location& where);
+
 }  // namespace treedyn

@@ -65,19 +65,6 @@ std::string impact_without_rest(const model::Scene& scene, const model::Event& e
   return "";
 }
 
-std::vector<Warning> impacts_without_rest(const model::Scene& scene, const Location& where) {
-  std::vector<Warning> result;
-  for (std::size_t k = 0; model::step_method(scene) && k < scene.phases.size(); ++k) {
-    for (const model::Event& event : scene.phases[k].until) {
-      const bool goes_on = event.impact && event.then == static_cast<int>(k);
-      if (const std::string why = goes_on ? impact_without_rest(scene, event) : ""; !why.empty()) {
-        result.push_back({where, fmt::format("phase '{}': {}", shown(scene.phases[k].name), why)});
-      }
-    }
-  }
-  return result;
-}
-
 /// True if an equation of EQUATIONS.md stands in e by its name.
 bool uses(const block::Expression& e, std::string_view name) {
   return (e.kind() == block::Kind::kNamed && e.node().name == name) ||
@@ -123,6 +110,19 @@ std::vector<Warning> effects_left_out(const Model& model, const Location& where)
 }
 
 }  // namespace
+
+std::vector<Warning> impacts_without_rest(const model::Scene& scene, const Location& where) {
+  std::vector<Warning> result;
+  for (std::size_t k = 0; model::step_method(scene) && k < scene.phases.size(); ++k) {
+    for (const model::Event& event : scene.phases[k].until) {
+      const bool goes_on = event.impact && event.then == static_cast<int>(k);
+      if (const std::string why = goes_on ? impact_without_rest(scene, event) : ""; !why.empty()) {
+        result.push_back({where, fmt::format("phase '{}': {}", shown(scene.phases[k].name), why)});
+      }
+    }
+  }
+  return result;
+}
 
 std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   std::vector<Warning> warnings = model.tree.warnings;

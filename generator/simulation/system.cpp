@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "model/reach.hpp"
@@ -16,10 +19,30 @@ namespace {
 
 double largest(const Vector& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
 
+/// The joints that move in the direction of the least eigenvalue of A with ones on its diagonal.
+std::string joints_without_inertia(const model::Tree& tree, const Eigen::MatrixXd& A) {
+  const Vector scale =
+      A.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1; });
+  const Vector direction =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * A * scale.asDiagonal())
+          .eigenvectors()
+          .col(0)
+          .cwiseAbs();
+  std::vector<std::string> names;
+  for (int k = 0; k < tree.dof(); ++k) {
+    if (direction[k] > direction.maxCoeff() / 10) {
+      names.push_back(fmt::format("'{}'", tree.moved_by(k).joint.name));
+    }
+  }
+  return names.size() == 1 ? fmt::format("joint {} moves", names.front())
+                           : fmt::format("joints {} together move", fmt::join(names, " and "));
+}
+
 }  // namespace
 
 System::System(const model::Scene& scene, Dynamics& dynamics, double stabilisation)
-    : dynamics_(dynamics),
+    : tree_(scene.tree),
+      dynamics_(dynamics),
       alpha_(stabilisation),
       velocity_products_(scene.velocity_products),
       armature_(Vector::Zero(scene.tree.dof())),
@@ -155,7 +178,9 @@ void System::factor_inertia(double t) {
   A_.compute(inertia_);
   if (A_.info() != Eigen::Success) {
     throw std::runtime_error(
-        fmt::format("the inertia matrix is not positive definite at t = {} s", t));
+        fmt::format("the inertia matrix is not positive definite at t = {} s: in this position {} "
+                    "no inertia",
+                    t, joints_without_inertia(tree_, inertia_)));
   }
 }
 

@@ -141,6 +141,7 @@ class System {
   void add_balance(const State& state);
   void add_turn(const State& state);
 
+  const model::Tree& tree_;
   Dynamics& dynamics_;
   double alpha_;
   bool velocity_products_;

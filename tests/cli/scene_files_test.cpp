@@ -246,8 +246,9 @@ TEST_F(Cli, WarnsOfReboundsThatNeverRest) {
     return treedyn({"generate", "--scene", scratch("s.yaml"), "--effort", "0", "-o", out()}).err;
   };
   const std::string step = "stepping: {integrator: rk4, step: 1e-3}\n";
-  EXPECT_THAT(warnings("free", step),
-              HasSubstr("phase 'free': rebounds at an expression never come to rest"));
+  const std::string said = "phase 'free': rebounds at an expression never come to rest";
+  EXPECT_THAT(warnings("free", step), HasSubstr(said));
+  EXPECT_THAT(treedyn({"simulate", scratch("s.yaml"), "--as-generated"}).err, HasSubstr(said));
   EXPECT_THAT(warnings("other", step), Not(HasSubstr("rebounds")));
   EXPECT_THAT(warnings("free", ""), Not(HasSubstr("rebounds")));
 }

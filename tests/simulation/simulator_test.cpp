@@ -331,6 +331,48 @@ TEST(Impact, AtAnExpressionEndsNoMotionThatPassesIt) {
   }
 }
 
+/// Newton's cradle: what the blows leave of the speeds of balls that touch is rounding, no fall.
+TEST(Impact, AtAnExpressionHandsTheSpeedOnThroughBallsThatTouch) {
+  Running run(scene_of(R"yaml(
+scene: cradle
+model: ../../tests/scenes/models/cradle.yaml
+effects:
+  joined_constraint:
+    - {name: hit_01, point: right_0, other: left_1, along: [x]}
+    - {name: hit_12, point: right_1, other: left_2, along: [x]}
+phases:
+  - name: free
+    active: []
+    until:
+      - {expression: "q[x_1]-q[x_0]-0.2", impact: {constraints: [hit_01], restitution: 1}, then: free}
+      - {expression: "q[x_2]-q[x_1]-0.2", impact: {constraints: [hit_12], restitution: 1}, then: free}
+initial: {q: {x_0: -1, x_2: 0.2}, qd: {x_0: 1}}
+duration: 2
+)yaml"));
+  run.advance_to(2);
+  const Vector q = run.simulator.q();
+  const Vector qd = run.simulator.qd();
+  EXPECT_NEAR(q[0], -0.2, 1e-14);
+  EXPECT_NEAR(q[1], 0, 1e-14);
+  EXPECT_NEAR(q[2], 0.2 + 1.2, 1e-14);
+  EXPECT_NEAR(qd[2], 1, 1e-14);
+  EXPECT_LT(qd.head(2).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+/// The first and the last of the three turns of a free body are one at a pitch of a right angle.
+TEST(Simulator, NamesTheJointsOfASingularPosition) {
+  Running run(scene_of(R"yaml(
+scene: gimbal
+model: ../../tests/scenes/models/free_body.yaml
+base: axes
+initial: {q: {base_ry: pi/2}}
+duration: 1
+)yaml"));
+  EXPECT_THAT([&] { run.advance_to(1); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(
+                  "in this position joints 'base_rz' and 'base_rx' together move no inertia")));
+}
+
 TEST(Drift, OfAPhaseThatBeginsElsewhereEndsTheMotion) {
   Running run(scene_of(R"yaml(
 scene: elsewhere

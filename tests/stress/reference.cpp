@@ -57,13 +57,13 @@ Real product(const Values& a, const Values& b) {
 struct Equations {
   Matrix A;
   Values free;  ///< qdd without reactions
-  std::vector<SceneEquations::Row> rows;
+  std::vector<verify::SceneEquations::Row> rows;
   Matrix towards;  ///< A^-1 J^T, one entry a row
   Matrix K;
 };
 
 Equations equations(const Robot& robot) {
-  const SceneEquations scene(robot.scene, robot.q, robot.qd, 0);
+  const verify::SceneEquations scene(robot.scene, robot.q, robot.qd, 0);
   Equations result;
   result.A = scene.inertia();
   Values force = scene.force();
@@ -72,10 +72,10 @@ Equations equations(const Robot& robot) {
   }
   result.free = solved(result.A, force);
   result.rows = scene.rows(robot.scene.phases.front().active);
-  for (const SceneEquations::Row& row : result.rows) {
+  for (const verify::SceneEquations::Row& row : result.rows) {
     result.towards.push_back(solved(result.A, row.J));
   }
-  for (const SceneEquations::Row& row : result.rows) {
+  for (const verify::SceneEquations::Row& row : result.rows) {
     Values line;
     for (const Values& w : result.towards) {
       line.push_back(product(row.J, w));
@@ -300,7 +300,7 @@ Results sizes(const Robot& robot, const Results& truth) {
 bool is_consistent(const Robot& robot) {
   const Equations e = equations(robot);
   const Values qdd = accelerations(robot);
-  return std::all_of(e.rows.begin(), e.rows.end(), [&](const SceneEquations::Row& row) {
+  return std::all_of(e.rows.begin(), e.rows.end(), [&](const verify::SceneEquations::Row& row) {
     Real size = abs(row.wanted) + abs(row.gamma);
     for (std::size_t k = 0; k < qdd.size(); ++k) {
       size += abs(row.J[k] * qdd[k]);
