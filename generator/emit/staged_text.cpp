@@ -113,9 +113,11 @@ std::string regular_text(const RowSolve& solve, const std::string& name, const T
   Lines lines = {fmt::format("Scalar d[{}];", solve.rows)};
   append_if(lines, solve.rows > 2,
             fmt::format("Scalar {}[{}];", program::kWholeArray, solve.rows - 2));
-  append(lines, whole_text(function.signature, name, text, test).lines);
+  const WholeText whole = whole_text(function.signature, name + "_part", text, test);
+  append(lines, whole.lines);
   lines.push_back("return true;");
-  return fmt::format(
+  return whole.parts +
+         fmt::format(
              "\n/// K x = b; false if K (lower half, row by row) is not safely positive definite.\n"
              "bool {}({}) noexcept {{",
              name, parameter_list(solve)) +

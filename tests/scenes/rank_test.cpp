@@ -65,6 +65,45 @@ TEST_P(InScalar, ATipBesideAPressIsHeld) {
   EXPECT_NEAR(held.values[3], 800 * 9.81, 7848 * rounding());
 }
 
+/// Cars of 1 kg that are locked on a waggon of 1 kg, all along one line.
+std::string waggon(const std::string& model, int count) {
+  const char* const link =
+      "  - {{name: {}, father: {}, mass: 1, joint: {{name: {}, type: prismatic, axis: [1, 0, "
+      "0]}}}}\n";
+  std::string links =
+      "name: waggon\nlinks:\n" + fmt::format(fmt::runtime(link), "waggon", "ground", "x");
+  std::string locks = fmt::format("scene: waggon\nmodel: {}\neffects:\n  locked_joint:\n", model);
+  for (int k = 0; k < count; ++k) {
+    links +=
+        fmt::format(fmt::runtime(link), fmt::format("car{}", k), "waggon", fmt::format("x{}", k));
+    locks += fmt::format("    - {{joint: x{}}}\n", k);
+  }
+  write_file(model, links);
+  return locks + "duration: 1\n";
+}
+
+// An elimination of so many rows is split into functions. All move as one mass, and a car's lock
+// gives it what its own force lacks; K = 1 + 1 1^T has the condition 1 + count.
+TEST_P(InScalar, ThirtyRowsAreHeld) {
+  constexpr int kCount = 30;
+  const TemporaryFolder folder;
+  const SceneCode held = code(waggon(folder.path() / "waggon.yaml", kCount));
+  EXPECT_NE(held.source().find("solve_regular_30_part_2("), std::string::npos);
+  Vector tau = {40};
+  for (int k = 0; k < kCount; ++k) {
+    tau.push_back(k % 7 - 3);
+  }
+  const Measurement at = called(held, {Vector(kCount + 1), Vector(kCount + 1), tau});
+  EXPECT_EQ(at.status, 0);
+  const double acceleration = tau[0] / (kCount + 1);
+  const double bound = 40 * (1 + kCount) * rounding();
+  EXPECT_NEAR(at.values[0], acceleration, bound);
+  for (std::size_t k = 1; k <= kCount; ++k) {
+    EXPECT_NEAR(at.values[k], 0, bound);
+    EXPECT_NEAR(at.values[kCount + k], acceleration - tau[k], bound);
+  }
+}
+
 /// The Puma whose hand is held in six rows. \param beginning  its initial position
 SceneCode held_puma(const std::string& beginning, const std::string& scalar) {
   return SceneCode(
