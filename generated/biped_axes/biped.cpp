@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x26a230cb1b233ab9ULL, "header and source are of different runs");
+static_assert(kDigest == 0xdd9cad2ff00cc35dULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -1004,7 +1004,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[322] = A[305];
   const Scalar t_right_foot_4 = left_foot_I1 * s_right_foot + left_foot_I2 * c_right_foot;
   const Scalar t_right_foot_5 = left_foot_I4 * s_right_foot;
-  // right_ankle_cross: first moment h, A, pseudo-inertia E of (2)
+  // right_ankle_cross: first moment h, A, second moments E of (2)
   const Scalar h_righ_ankl_cros_x = left_ankle_cross_h1 + t_right_foot_1;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_h2 * s_q14_q15_q16;
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + c_q14_q15_q16 * h_righ_ankl_cros_x;
@@ -1040,7 +1040,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar neg_h_right_thigh_x = neg_h_right_thigh_x_1 - left_thigh_h2 * c_right_hip_pitch;
   const Scalar h_right_thigh_y_1 = h_right_shank_y + left_thigh_h2 * s_right_hip_pitch;
   const Scalar h_right_thigh_y = h_right_thigh_y_1 + left_thigh_h1 * c_right_hip_pitch;
-  // right_shank: pseudo-inertia E, A of (2)
+  // right_shank: second moments E, A of (2)
   const Scalar t_right_shank_1 = left_thigh_I1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = t_right_shank_1 + left_thigh_I2 * s_right_hip_pitch;
   const Scalar t_right_shank_3 = s_right_hip_pitch * t_right_shank_2;
@@ -1062,7 +1062,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_shank_8 = s_right_shank_x * neg_h_right_shank_x;
   const Scalar t_right_shank_9 = s_right_shank_y * h_right_shank_y;
   const Scalar h_right_hip_fork_x = left_hip_fork_h2 - neg_h_right_thigh_x;
-  // right_thigh: first moment h, pseudo-inertia E, A of (2)
+  // right_thigh: first moment h, second moments E, A of (2)
   const Scalar neg_h_right_hip_fork_y = left_hip_fork_h1 - neg_h_righ_ankl_cros_z;
   const Scalar t_right_thigh_1 = left_thigh_I4 - left_foot_I7 * s_right_foot;
   const Scalar t_right_thigh_2 = neg_E_right_shank_xz + left_thigh_I3 * s_right_hip_pitch;
@@ -1075,7 +1075,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_thigh_4 = neg_E_right_shank_xx + 2.0 * t_right_shank_8;
   const Scalar neg_A_266 = t_right_thigh_4 - (left_thigh_I6 + t_right_thigh_3);
   A[266] = -neg_A_266;
-  // right_hip_fork: first moment h, pseudo-inertia E, A of (2)
+  // right_hip_fork: first moment h, second moments E, A of (2)
   const Scalar t_right_hip_fork_1 = c_right_hip_roll * neg_h_right_hip_fork_y;
   const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 - s_right_hip_roll * h_right_hip_fork_x;
   const Scalar neg_h_right_hip_block_x = left_hip_block_h1 - t_right_hip_fork_2;
@@ -1112,7 +1112,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[246] = A[229];
   const Scalar A_247 = E_right_hip_fork_xx + E_right_hip_fork_yy;
   A[247] = A_247;
-  // right_hip_block: pseudo-inertia E, A of (2)
+  // right_hip_block: second moments E, A of (2)
   const Scalar t_right_hip_block_1 = s_right_hip_yaw * neg_h_right_hip_block_x;
   const Scalar t_right_hip_block_2 =
       t_right_hip_block_1 + c_right_hip_yaw * neg_h_right_hip_block_y;
@@ -1150,7 +1150,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[208] = A[191];
   const Scalar t_left_foot_4 = left_foot_I2 * c_left_foot + left_foot_I1 * s_left_foot;
   const Scalar t_left_foot_5 = left_foot_I4 * s_left_foot;
-  // left_ankle_cross: A, first moment h, pseudo-inertia E of (2)
+  // left_ankle_cross: A, first moment h, second moments E of (2)
   const Scalar t_left_ankle_cross_1 = t_left_foot_3 - left_foot_I10 * c_left_foot;
   const Scalar t_left_ankle_cross_2 = s_q8_q9_q10 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_3 = left_ankle_cross_h2 * c_q8_q9_q10 - t_left_ankle_cross_2;
@@ -1182,7 +1182,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[190] = A_190;
   const Scalar h_left_thigh_y_1 = h_left_shank_y + left_thigh_h1 * c_left_hip_pitch;
   const Scalar h_left_thigh_y = h_left_thigh_y_1 + left_thigh_h2 * s_left_hip_pitch;
-  // left_shank: first moment h, pseudo-inertia E, A of (2)
+  // left_shank: first moment h, second moments E, A of (2)
   const Scalar neg_h_left_thigh_x_1 = neg_h_left_shank_x - left_thigh_h2 * c_left_hip_pitch;
   const Scalar neg_h_left_thigh_x = neg_h_left_thigh_x_1 + left_thigh_h1 * s_left_hip_pitch;
   const Scalar t_left_shank_1 = left_shank_I4 - left_foot_I6 * s_left_foot;
@@ -1200,7 +1200,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_shank_5 = s_left_shank_x * neg_h_left_shank_x;
   const Scalar h_left_hip_fork_x = left_hip_fork_h2 - neg_h_left_thigh_x;
   const Scalar h_left_hip_fork_y = left_hip_fork_h1 - h_left_ankle_cross_z;
-  // left_thigh: pseudo-inertia E, A of (2)
+  // left_thigh: second moments E, A of (2)
   const Scalar t_left_thigh_1 = left_thigh_I4 - left_foot_I7 * s_left_foot;
   const Scalar E_left_thigh_xz_1 = E_left_shank_xz + left_thigh_I3 * s_left_hip_pitch;
   const Scalar E_left_thigh_xz = E_left_thigh_xz_1 - c_left_hip_pitch * t_left_thigh_1;
@@ -1220,7 +1220,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar neg_h_left_hip_block_y = left_hip_block_h2 + h_left_thigh_y;
   const Scalar t_left_shank_6 = left_thigh_I1 * c_left_hip_pitch;
   const Scalar t_left_shank_7 = t_left_shank_6 + left_thigh_I2 * s_left_hip_pitch;
-  // left_hip_fork: pseudo-inertia E, A of (2)
+  // left_hip_fork: second moments E, A of (2)
   const Scalar E_left_hip_fork_xz_1 = left_hip_fork_I3 + t_left_foot_4;
   const Scalar E_left_hip_fork_xz_2 = t_left_ankle_cross_16 + t_left_ankle_cross_19;
   const Scalar E_left_hip_fork_xz_3 = E_left_hip_fork_xz_1 - left_hip_fork_l1 * neg_h_left_thigh_x;
@@ -1254,7 +1254,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_block_1 = c_left_hip_yaw * neg_h_left_hip_block_y;
   const Scalar t_left_hip_block_2 = t_left_hip_block_1 - s_left_hip_yaw * h_left_hip_block_x;
   const Scalar h_base_rx_z = base_rx_h3 + t_right_hip_block_2 + t_left_hip_block_2;
-  // left_hip_block: first moment h, pseudo-inertia E, A of (2)
+  // left_hip_block: first moment h, second moments E, A of (2)
   const Scalar t_left_hip_block_3 = s_left_hip_yaw * neg_h_left_hip_block_y;
   const Scalar t_left_hip_block_4 = c_left_hip_yaw * h_left_hip_block_x + t_left_hip_block_3;
   const Scalar neg_h_base_rx_x = base_rx_h1 - t_right_hip_block_4 + t_left_hip_block_4;
@@ -1281,7 +1281,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_block_13 = t_left_hip_block_12 + c_left_hip_yaw * E_left_hip_block_xz;
   const Scalar A_114 = E_left_hip_block_yy + E_left_hip_block_xx;
   A[114] = A_114;
-  // base_rx: pseudo-inertia E of (2)
+  // base_rx: second moments E of (2)
   const Scalar E_base_rx_xy_1 = base_rx_I4 + t_right_hip_block_8 + t_left_hip_block_13;
   const Scalar E_base_rx_xy_2 = h_right_hip_block_z - h_left_hip_block_z;
   const Scalar E_base_rx_xy = E_base_rx_xy_1 - left_hip_block_l1 * E_base_rx_xy_2;
@@ -1290,7 +1290,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_13 = E_right_hip_block_yy - E_right_hip_block_xx;
   const Scalar t_right_hip_block_14 = c_right_hip_yaw * t_right_hip_block_12;
   const Scalar t_right_hip_block_15 = t_right_hip_block_14 - s_right_hip_yaw * t_right_hip_block_13;
-  // base_rx: pseudo-inertia E, A of (2)
+  // base_rx: second moments E, A of (2)
   const Scalar E_base_rx_xz_1 = t_left_hip_fork_13 - (base_rx_I6 - t_right_hip_fork_11);
   const Scalar E_base_rx_xz_2 = E_base_rx_xz_1 - c_left_hip_yaw * t_left_hip_block_11;
   const Scalar E_base_rx_xz_3 = t_right_hip_block_2 - t_left_hip_block_2;
@@ -1821,7 +1821,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[41] = A_41;
   A[92] = A[41];
   const Scalar t_base_ry_1 = c_base_rx * E_base_rx_xy;
-  // base_rx: pseudo-inertia E of (2)
+  // base_rx: second moments E of (2)
   const Scalar neg_E_base_rx_zz_1 = base_rx_I3 + t_right_hip_block_10 + t_left_hip_block_7;
   const Scalar neg_E_base_rx_zz = t_base_rx_1 - neg_E_base_rx_zz_1;
   const Scalar t_base_rx_3 = E_base_rx_xx - neg_E_base_rx_zz;

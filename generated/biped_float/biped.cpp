@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x7fafa418f11f0054ULL, "header and source are of different runs");
+static_assert(kDigest == 0x3d7d6f33339efb36ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -722,7 +722,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar A_131 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
   A[131] = A_131;
   A[142] = A[131];
-  // right_ankle_cross: first moment h, A, pseudo-inertia E of (2)
+  // right_ankle_cross: first moment h, A, second moments E of (2)
   const Scalar h_righ_ankl_cros_x = left_ankle_cross_I1 + t_right_foot_1;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_I3 * s_q8_q9_q10;
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + c_q8_q9_q10 * h_righ_ankl_cros_x;
@@ -743,7 +743,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_8 = t_right_foot_3 - left_foot_I6 * c_right_foot;
   const Scalar A_130 = left_ankle_cross_I6 - t_righ_ankl_cros_8;
   A[130] = A_130;
-  // right_shank: pseudo-inertia E, A of (2)
+  // right_shank: second moments E, A of (2)
   const Scalar t_right_shank_1 = left_foot_I10 * s_right_foot;
   const Scalar t_right_shank_2 = left_shank_I5 - t_right_shank_1;
   const Scalar E_right_shank_yz = neg_A_94 + left_shank_I6 * c_q8_q9 + s_q8_q9 * t_right_shank_2;
@@ -761,7 +761,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_10 = c_q8_q9_q10 * E_righ_ankl_cros_xz + t_righ_ankl_cros_9;
   const Scalar neg_E_right_shank_xz_1 = t_righ_ankl_cros_10 + left_shank_I6 * s_q8_q9;
   const Scalar neg_E_right_shank_xz = neg_E_right_shank_xz_1 - c_q8_q9 * t_right_shank_2;
-  // right_thigh: pseudo-inertia E, A of (2)
+  // right_thigh: second moments E, A of (2)
   const Scalar neg_E_right_thigh_xz_1 = t_right_shank_6 + neg_E_right_shank_xz;
   const Scalar neg_E_right_thigh_xz_2 = neg_E_right_thigh_xz_1 - left_thigh_I5 * c_right_hip_pitch;
   const Scalar neg_E_right_thigh_xz = neg_E_right_thigh_xz_2 + left_thigh_I6 * s_right_hip_pitch;
@@ -782,7 +782,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_12 = c_q8_q9_q10 * (left_ankle_cross_I7 - 2.0f * t_right_foot_4);
   const Scalar t_righ_ankl_cros_13 = left_ankle_cross_I5 + t_righ_ankl_cros_8;
   const Scalar t_righ_ankl_cros_14 = t_righ_ankl_cros_12 + s_q8_q9_q10 * t_righ_ankl_cros_13;
-  // right_hip_fork: pseudo-inertia E, A of (2)
+  // right_hip_fork: second moments E, A of (2)
   const Scalar t_right_hip_fork_1 = left_thigh_I1 + t_right_shank_8;
   const Scalar t_right_hip_fork_2 = left_hip_fork_I1 - neg_h_righ_ankl_cros_z;
   const Scalar t_right_hip_fork_3 = t_righ_ankl_cros_11 + left_hip_fork_k2 * t_righ_ankl_cros_4;
@@ -823,7 +823,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_ankle_cross_2 = left_ankle_cross_I3 * c_q2_q3_q4 - t_left_ankle_cross_1;
   const Scalar h_left_shank_y_1 = t_left_ankle_cross_2 + left_shank_I2 * c_q2_q3;
   const Scalar h_left_shank_y = h_left_shank_y_1 + left_shank_I1 * s_q2_q3;
-  // left_ankle_cross: A, pseudo-inertia E of (2)
+  // left_ankle_cross: A, second moments E of (2)
   const Scalar t_left_ankle_cross_3 = c_q2_q3_q4 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_4 = left_ankle_cross_I3 * s_q2_q3_q4 + t_left_ankle_cross_3;
   const Scalar t_left_ankle_cross_5 = left_ankle_cross_I4 - h_left_ankle_cross_z;
@@ -840,7 +840,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_ankle_cross_12 = t_left_foot_3 + left_foot_I6 * c_left_foot;
   const Scalar A_52 = left_ankle_cross_I6 + t_left_ankle_cross_12;
   A[52] = A_52;
-  // left_shank: pseudo-inertia E, A of (2)
+  // left_shank: second moments E, A of (2)
   const Scalar t_left_shank_1 = left_foot_I10 * s_left_foot;
   const Scalar t_left_shank_2 = left_shank_I5 - t_left_shank_1;
   const Scalar neg_E_left_shank_yz = A_16 + left_shank_I6 * c_q2_q3 + s_q2_q3 * t_left_shank_2;
@@ -856,7 +856,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_shank_6 = c_left_hip_pitch * t_left_shank_5;
   const Scalar t_left_shank_7 = left_foot_I11 * s_left_foot;
   const Scalar t_left_shank_8 = c_left_hip_pitch * t_left_shank_7;
-  // left_thigh: pseudo-inertia E, A of (2)
+  // left_thigh: second moments E, A of (2)
   const Scalar neg_E_left_thigh_yz_1 = neg_E_left_shank_yz + left_thigh_I6 * c_left_hip_pitch;
   const Scalar neg_E_left_thigh_yz_2 = left_thigh_I5 - t_left_shank_7;
   const Scalar neg_E_left_thigh_yz =
@@ -883,7 +883,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_ankle_cross_16 = c_q2_q3_q4 * (left_ankle_cross_I7 - 2.0f * t_left_foot_4);
   const Scalar t_left_ankle_cross_17 = left_ankle_cross_I5 - t_left_ankle_cross_12;
   const Scalar t_left_ankle_cross_18 = t_left_ankle_cross_16 + s_q2_q3_q4 * t_left_ankle_cross_17;
-  // left_hip_fork: pseudo-inertia E, A of (2)
+  // left_hip_fork: second moments E, A of (2)
   const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + left_hip_fork_k1 * h_left_shank_y;
   const Scalar t_left_hip_fork_3 = neg_h_left_shank_x - (left_hip_fork_I3 - t_left_foot_4);
   const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 - c_left_hip_pitch * t_left_hip_fork_2;
@@ -2712,7 +2712,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar F_righ_ankl_cros_x = F_righ_ankl_cros_x_1 - left_ankle_cross_I1 * t_righ_ankl_cros_7;
   const Scalar F_right_shank_x_1 = F_righ_ankl_cros_x - Omega_right_foot_xz * t_right_shank_20;
   const Scalar F_right_shank_x = F_right_shank_x_1 + neg_Omega_right_shank_xx * t_right_shank_25;
-  // right_thigh: first moment h, pseudo-inertia E of (1)
+  // right_thigh: first moment h, second moments E of (1)
   const Scalar t_right_thigh_13 = left_thigh_I11 + t_right_thigh_5;
   const Scalar t_right_thigh_14 = left_thigh_I1 * s_right_hip_pitch;
   const Scalar t_right_thigh_15 = t_right_thigh_14 + left_thigh_I2 * c_right_hip_pitch;
@@ -2746,7 +2746,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar neg_Omega_left_foot_yy = t_left_shank_9 + t_left_foot_1;
   const Scalar t_left_ankle_cross_8 = t_left_shank_9 + t_left_ankle_cross_2;
   const Scalar F_left_foot_y = t_left_foot_2 - h_left_foot_y * neg_Omega_left_foot_yy;
-  // left_ankle_cross: force F, pseudo-inertia E of (1)
+  // left_ankle_cross: force F, second moments E of (1)
   const Scalar t_left_ankle_cross_9 = F_left_foot_y + left_ankle_cross_I1 * t_left_ankle_cross_6;
   const Scalar F_left_ankle_cross_z =
       t_left_ankle_cross_9 - left_ankle_cross_I3 * t_left_ankle_cross_4;
@@ -2852,7 +2852,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_hip_block_2 = M_right_foot_z - tau[11];
   const Scalar h_righ_ankl_cros_x = left_ankle_cross_I1 + h_right_foot_x;
   const Scalar t_right_foot_8 = E_right_foot_xx + E_right_foot_yy;
-  // right_ankle_cross: first moment h, pseudo-inertia E of (1)
+  // right_ankle_cross: first moment h, second moments E of (1)
   const Scalar neg_h_right_shank_x = t_right_shank_25 - h_righ_ankl_cros_x;
   const Scalar t_righ_ankl_cros_9 = left_ankle_cross_I4 - neg_h_right_foot_y;
   const Scalar t_righ_ankl_cros_10 = t_right_foot_6 - t_righ_ankl_cros_9;
@@ -2860,7 +2860,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_righ_ankl_cros_11 = neg_s_righ_ankl_cros_x * h_righ_ankl_cros_x;
   const Scalar t_righ_ankl_cros_12 = left_ankle_cross_I19 * s_right_ankle_pitch;
   const Scalar neg_h_right_shank_y = left_ankle_cross_I3 - t_right_shank_20;
-  // right_shank: pseudo-inertia E of (1)
+  // right_shank: second moments E of (1)
   const Scalar t_right_shank_27 = s_q8_q9_q10 * neg_h_right_shank_y;
   const Scalar t_right_shank_28 = t_right_shank_27 - c_q8_q9_q10 * neg_h_right_shank_x;
   const Scalar t_right_shank_29 = s_q8_q9_q10 * neg_h_right_shank_x;
@@ -2885,14 +2885,14 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_18 = t_right_thigh_8 - t_right_shank_36;
   const Scalar neg_E_right_thigh_xz = t_right_shank_39 - t_right_thigh_18;
   const Scalar qdd_6_1 = left_hip_fork_I2 + 2.0f * neg_E_right_thigh_xz;
-  // left_ankle_cross: first moment h, pseudo-inertia E of (1)
+  // left_ankle_cross: first moment h, second moments E of (1)
   const Scalar h_left_ankle_cross_x = left_ankle_cross_I1 + h_left_foot_x;
   const Scalar neg_h_left_shank_y = left_ankle_cross_I3 + t_left_shank_23;
   const Scalar t_left_ankle_cross_15 = left_ankle_cross_I4 - h_left_foot_y + t_left_foot_5;
   const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_15 + left_foot_I8 * c_left_foot;
   const Scalar t_left_ankle_cross_17 = neg_s_left_ankle_cross_x * h_left_ankle_cross_x;
   const Scalar neg_h_left_shank_x = t_left_shank_25 - h_left_ankle_cross_x;
-  // left_shank: pseudo-inertia E of (1)
+  // left_shank: second moments E of (1)
   const Scalar t_left_shank_28 = s_q2_q3_q4 * neg_h_left_shank_y;
   const Scalar t_left_shank_29 = t_left_shank_28 - c_q2_q3_q4 * neg_h_left_shank_x;
   const Scalar t_left_shank_30 = c_q2_q3_q4 * neg_h_left_shank_y;
@@ -2916,7 +2916,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_shank_41 = s_left_shank_x * h_left_foot_y;
   const Scalar t_left_shank_42 = c_q2_q3_q4 * E_left_shank_xz - s_q2_q3_q4 * E_left_shank_yz;
   const Scalar neg_E_left_thigh_xz = t_left_shank_42 - (t_left_thigh_9 + t_left_shank_41);
-  // left_hip_fork: pseudo-inertia E of (1)
+  // left_hip_fork: second moments E of (1)
   const Scalar E_left_hip_fork_yy_1 = left_hip_fork_I19 - t_left_foot_4;
   const Scalar E_left_hip_fork_yy = E_left_hip_fork_yy_1 - left_foot_I7 * s_left_foot;
   const Scalar t_left_hip_fork_9 = t_left_thigh_14 - t_left_shank_33;
@@ -3039,7 +3039,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_shank_69 = left_shank_I19 - t_right_shank_14 + t_righ_ankl_cros_12;
   const Scalar t_right_shank_70 = s_q8_q9_q10 * (t_right_shank_33 - t_right_shank_69);
   const Scalar t_right_shank_71 = c_q8_q9_q10 * E_right_shank_xy * 2.0f - t_right_shank_70;
-  // right_hip_fork: pseudo-inertia E of (1)
+  // right_hip_fork: second moments E of (1)
   const Scalar t_right_hip_fork_17 = left_hip_fork_I9 - t_right_hip_fork_7;
   const Scalar t_right_hip_fork_18 = t_right_shank_28 - t_right_hip_fork_17;
   const Scalar t_right_hip_fork_19 = E_right_shank_xy + t_right_hip_fork_18;
@@ -3126,7 +3126,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_shank_62 = 1.0f / t_left_ankle_cross_34;
   const Scalar t_left_shank_63 = t_left_ankle_cross_29 * t_left_shank_62;
   const Scalar t_left_shank_64 = t_left_ankle_cross_33 * t_left_shank_62;
-  // left_thigh: first moment h, pseudo-inertia E of (1)
+  // left_thigh: first moment h, second moments E of (1)
   const Scalar h_left_thigh_y = t_left_thigh_13 + t_left_shank_31;
   const Scalar t_left_thigh_22 = t_left_thigh_17 + t_left_hip_fork_10 + t_left_shank_58;
   const Scalar t_left_thigh_23 = t_left_thigh_22 + 2.0f * t_left_shank_38;
@@ -3145,7 +3145,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_shank_70 = t_left_ankle_cross_36 + t_left_ankle_cross_33 * t_left_shank_64;
   const Scalar inverse_pivot_left_thigh = 1.0f / t_left_shank_70;
   const Scalar t_left_thigh_24 = t_left_shank_69 * inverse_pivot_left_thigh;
-  // left_hip_fork: pseudo-inertia E of (1)
+  // left_hip_fork: second moments E of (1)
   const Scalar E_left_hip_fork_yz = left_hip_fork_I1 - h_left_foot_y + neg_E_left_thigh_yz;
   const Scalar t_left_hip_fork_18 = t_left_shank_29 - (left_hip_fork_I9 - t_left_hip_fork_7);
   const Scalar t_left_hip_fork_19 = E_left_shank_xy + t_left_hip_fork_18;

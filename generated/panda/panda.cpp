@@ -10,7 +10,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0x4c65c02165b1f47cULL, "header and source are of different runs");
+static_assert(kDigest == 0x38fe301f84fdcd0fULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -466,7 +466,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   A[41] = -neg_A_41;
   A[47] = A[41];
   const Scalar t_link7_4 = link7_I3 * c_link7 - link7_I4 * s_link7;
-  // link6: first moment h, A, pseudo-inertia E of (2)
+  // link6: first moment h, A, second moments E of (2)
   const Scalar h_link6_x = link6_I7 + t_link7_1;
   const Scalar t_link6_1 = link6_I3 * s_joint6 + c_joint6 * h_link6_x;
   const Scalar neg_h_link5_z = link6_I3 * c_joint6 - s_joint6 * h_link6_x;
@@ -482,7 +482,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   A[39] = A[33];
   const Scalar A_40 = link6_I6 - t_link6_2;
   A[40] = A_40;
-  // link5: first moment h, pseudo-inertia E, A of (2)
+  // link5: first moment h, second moments E, A of (2)
   const Scalar h_link5_x = link5_I2 + t_link6_1;
   const Scalar h_link5_y = link5_I5 - h_link6_z;
   const Scalar t_link5_1 = c_joint5 * h_link5_x - s_joint5 * h_link5_y;
@@ -503,7 +503,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   A[32] = A_32;
   const Scalar h_link4_x = link4_I2 - t_link5_1;
   const Scalar neg_h_link4_y = link4_I3 - neg_h_link5_z;
-  // link4: A, pseudo-inertia E of (2)
+  // link4: A, second moments E of (2)
   const Scalar t_link4_1 = c_joint4 * h_link4_x + s_joint4 * neg_h_link4_y;
   const Scalar t_link4_2 = t_link6_5 + link4_k2 * neg_h_link5_z;
   const Scalar t_link4_3 = t_link5_2 + t_link5_5 + 2.0 * t_link5_1;
@@ -522,7 +522,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   A[24] = -neg_A_24;
   const Scalar t_link3_1 = t_link4_3 - t_link4_7 + 2.0 * t_link4_1;
   const Scalar E_link4_zz = E_link5_yy + t_link5_5;
-  // link3: first moment h, pseudo-inertia E, A of (2)
+  // link3: first moment h, second moments E, A of (2)
   const Scalar t_link3_2 = neg_h_link4_z - t_link4_8;
   const Scalar t_link3_3 = s_joint3 * (E_link4_zz - (link3_I1 - t_link3_1));
   const Scalar t_link3_4 = t_link3_3 + c_joint3 * (link3_I2 - 2.0 * t_link3_2);
@@ -537,7 +537,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar t_link3_6 = t_link3_1 - E_link4_zz;
   const Scalar A_16 = link3_I5 - t_link3_6;
   A[16] = A_16;
-  // link2: pseudo-inertia E, A of (2)
+  // link2: second moments E, A of (2)
   const Scalar E_link2_yz = link2_I2 + A_9;
   const Scalar E_link2_xz = link2_I1 - t_link3_2 - c_joint3 * t_link3_4;
   A[1] = c_joint2 * E_link2_yz + s_joint2 * E_link2_xz;

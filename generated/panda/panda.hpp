@@ -30,7 +30,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x4c65c02165b1f47cULL;
+constexpr unsigned long long kDigest = 0x38fe301f84fdcd0fULL;
 
 /// Index of every joint.
 namespace joint {

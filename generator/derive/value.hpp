@@ -45,9 +45,9 @@ enum class Op {
   kApply,           ///< S v; of a matrix of numbers and a column
   kApplyTranspose,  ///< S^T v
   kComposite,       ///< D^T I - N^T (Λ(h)Λ(s) + Λ(s)Λ(h + m s)) of m, h, s
-  kMoment,          ///< vee(Ω E) of Ω, α, ω: I α + ω×I ω by the pseudo-inertia E
-  kSquare,          ///< -tr(Λ(ω)² E) of ω: ω·(I ω) by the pseudo-inertia E
-  kPseudo,          ///< the pseudo-inertia E of I = tr(E) - E
+  kMoment,          ///< vee(Ω Ψ) of Ω, α, ω: I α + ω×I ω by the second moments Ψ
+  kSquare,          ///< -tr(Λ(ω)² Ψ) of ω: ω·(I ω) by the second moments Ψ
+  kPseudo,          ///< the second moments Ψ of I = tr(Ψ) E_3 - Ψ
   kPath,            ///< D x, or a + D x where a second operand a is the same for all links
   kPathStrict,      ///< N x
   kSubtree,         ///< D^T x

@@ -162,8 +162,7 @@ void Doubts::of_inertia(const RawLink& link, const model::Inertia& body, const R
   } else if (others > 0 && std::max(radius, com) > kOtherUnits * others) {
     fault = fmt::format(
         "has a radius of gyration of {} m and its center of mass at {} m, beside lengths of up to "
-        "{} "
-        "m elsewhere; lengths are in m, masses in kg",
+        "{} m elsewhere; lengths are in m, masses in kg",
         radius.str(3), com.str(3), others.str(3));
   } else if (thinner(kThin, body.mass, radius) && (wide || scale.thin)) {
     fault = fmt::format(

@@ -146,8 +146,8 @@ struct Pivot {
   bool zero = true;  ///< within rounding of 50 digits
 };
 
-/// Pivots Δ of A = L^T Δ L (EQUATIONS.md 7.4) as articulated bodies have them (R9), O(N). \param
-/// armature  by link
+/// Pivots Δ of A = L^T Δ L (EQUATIONS.md 7.4) as articulated bodies have them (R9), O(N).
+/// \param armature  by link
 std::vector<Pivot> articulated_pivots(const model::Tree& tree, const std::vector<Real>& armature) {
   std::vector<Pivot> pivots(tree.links.size());
   std::vector<Spatial> rigid = transformed(

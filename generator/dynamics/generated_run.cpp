@@ -39,8 +39,8 @@ class Run {
   /// Calls `show` with the reactions of every row of the table.
   bool go(const simulation::ShowState& show, const simulation::LookAtState& look,
           const simulation::Progress& progress);
-  /// What it found and took, without rows and events.
-  [[nodiscard]] GeneratedRun counted() const;
+  /// What it found and took beside a recording of its rows and events.
+  [[nodiscard]] GeneratedRun counted(simulation::Recording recording) const;
 
  private:
   void place(long k, const Values& q, const Values& qd, int state);
@@ -140,9 +140,11 @@ void Run::note_events(double time, int before, const Values& qd_before) {
                    {}});
 }
 
-GeneratedRun Run::counted() const {
+GeneratedRun Run::counted(simulation::Recording recording) const {
   const program::Stepper& stepper = step_.stepper();
   GeneratedRun result;
+  result.recording = std::move(recording);
+  result.recording.cost = {};
   result.statuses = statuses_;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     const program::StepPhase& phase = stepper.phases[k];
@@ -240,15 +242,11 @@ GeneratedRun run_generated(const model::Scene& scene, GeneratedStep& step,
                            simulation::Simulator& simulator, double output_step,
                            const simulation::Progress& progress) {
   Run run(scene, step, simulator, output_step);
-  simulation::Recording recording = simulation::record_states(
+  return run.counted(simulation::record_states(
       scene, simulator,
       [&](const simulation::ShowState& show, const simulation::LookAtState& look) {
         return run.go(show, look, progress);
-      });
-  GeneratedRun result = run.counted();
-  recording.cost = result.recording.cost;
-  result.recording = std::move(recording);
-  return result;
+      }));
 }
 
 std::vector<std::string> status_lines(const std::vector<StatusRecord>& statuses) {

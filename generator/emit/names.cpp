@@ -188,9 +188,10 @@ LocalNames::LocalNames(const program::Function& function, const Vocabulary& word
 void LocalNames::name_angles(const std::vector<Ref>& operations) {
   for (const Ref value : operations) {
     const program::Node& node = function_.graph.node(value);
-    const std::string& name = names_[index(value)];
+    const std::string& name = names_[program::node_index(value)];
     if ((node.kind == Kind::kSin || node.kind == Kind::kCos) && !name.empty() &&
-        function_.graph.node(node.a).kind > Kind::kInput && names_[index(node.a)].empty()) {
+        function_.graph.node(node.a).kind > Kind::kInput &&
+        names_[program::node_index(node.a)].empty()) {
       claim(std::abs(node.a), "angle" + name.substr(1));
     }
   }
@@ -213,7 +214,7 @@ std::string LocalNames::element_stem(std::size_t output) const {
 void LocalNames::name_outputs() {
   for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
     const Ref value = function_.outputs[output];
-    if (value != 0 && names_[index(value)].empty()) {
+    if (value != 0 && names_[program::node_index(value)].empty()) {
       claim(value, (value < 0 ? "neg_" : "") + element_stem(output));
     }
   }
@@ -224,20 +225,20 @@ void LocalNames::find_stems(const std::vector<Ref>& operations) {
   const std::string several = "*";
   const std::size_t digits = fmt::formatted_size("{}", function_.graph.size());
   const auto need = [&](Ref value, const std::string& user) {
-    std::string& stem = stems_[index(value)];
+    std::string& stem = stems_[program::node_index(value)];
     stem = stem.empty() || stem == user ? user : several;
   };
   for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
     need(function_.outputs[output], element_stem(output));
   }
   std::for_each(operations.rbegin(), operations.rend(), [&](Ref value) {
-    const std::string& own = names_[index(value)];
+    const std::string& own = names_[program::node_index(value)];
     program::for_each_operand(function_.graph.node(value), [&](Ref operand) {
-      need(operand, own.empty() ? stems_[index(value)] : own);
+      need(operand, own.empty() ? stems_[program::node_index(value)] : own);
     });
   });
   for (const Ref value : operations) {
-    std::string& stem = stems_[index(value)];
+    std::string& stem = stems_[program::node_index(value)];
     stem = stem == several || stem.size() + 1 + digits > kLongestLocal ? body_stem(value) : stem;
     stem += "_";
   }
@@ -346,7 +347,7 @@ void LocalNames::claim(Ref value, const std::string& name) {
     unique = fmt::format("{}_{}", name, n);
   }
   if (unique.size() <= kLongestLocal) {
-    names_[index(value)] = unique;
+    names_[program::node_index(value)] = unique;
   }
 }
 
@@ -356,11 +357,11 @@ std::string LocalNames::body_stem(Ref value) const {
 }
 
 void LocalNames::assign(Ref value) {
-  std::string& name = names_[index(value)];
+  std::string& name = names_[program::node_index(value)];
   if (!name.empty()) {
     return;
   }
-  const std::string& stem = stems_[index(value)];
+  const std::string& stem = stems_[program::node_index(value)];
   int& number = last_number_[stem];
   do {
     name = fmt::format("{}{}", stem, ++number);
@@ -368,12 +369,12 @@ void LocalNames::assign(Ref value) {
 }
 
 int LocalNames::width(Ref value) const {
-  const std::string& name = names_[index(value)];
+  const std::string& name = names_[program::node_index(value)];
   if (!name.empty()) {
     return static_cast<int>(name.size());
   }
   const auto most_digits = static_cast<int>(fmt::formatted_size("{}", function_.graph.size()));
-  return static_cast<int>(stems_[index(value)].size()) + most_digits;
+  return static_cast<int>(stems_[program::node_index(value)].size()) + most_digits;
 }
 
 }  // namespace treedyn::emit

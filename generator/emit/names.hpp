@@ -61,12 +61,13 @@ class LocalNames {
   /// The next temporary's name for a value without a hint; keeps names that exist.
   void assign(program::Ref value);
   /// \pre the value has a hint or `assign` was called.
-  [[nodiscard]] const std::string& at(program::Ref value) const { return names_[index(value)]; }
+  [[nodiscard]] const std::string& at(program::Ref value) const {
+    return names_[program::node_index(value)];
+  }
   /// Upper bound of the length of the name, also before `assign`.
   [[nodiscard]] int width(program::Ref value) const;
 
  private:
-  static std::size_t index(program::Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
   [[nodiscard]] std::string hinted(program::Ref value) const;
   [[nodiscard]] bool is_of_time(program::Ref value) const;
   [[nodiscard]] std::string trigonometric(program::Ref value) const;

@@ -263,7 +263,7 @@ T value_of(const std::vector<T>& polynomial, T z) {
   return value;
 }
 
-/// The statements of the template `sincos.cpp`, one by one.
+/// The statements of the templates `sine_cosine.cpp` and `quadrant.cpp`, one by one.
 template <class T>
 SineCosine<T> executed(const Numbers<T>& a, T x) {
   const T k = (x * a.two_over_pi + a.rounding) - a.rounding;

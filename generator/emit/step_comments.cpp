@@ -29,7 +29,7 @@ constexpr std::array<std::array<const char*, 2>, 12> kWords = {
      {"M", "moment M"},
      {"h", "first moment h"},
      {"I", "inertia I"},
-     {"E", "pseudo-inertia E"},
+     {"E", "second moments E"},
      {"s", "way s to the joint"},
      {"u", "joint force u"},
      {"inverse_pivot", "1/pivot"},

@@ -97,10 +97,11 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
   std::string condition = fmt::format("to.guard[{}] < Scalar(0)", event.guard);
   std::string part = fmt::format("chord(from.guard[{0}], to.guard[{0}])", event.guard);
   Lines inner;
-  if (event.cause == StepCause::kCross && event.outcome.stops >= 0) {
+  if (event.cause == StepCause::kCross) {
     // a joint that runs against the way that its friction has stops, whatever was before
-  } else if (event.cause == StepCause::kCross) {
-    condition += fmt::format(" && !(from.guard[{}] < Scalar(0))", event.guard);
+    condition += event.outcome.stops >= 0
+                     ? ""
+                     : fmt::format(" && !(from.guard[{}] < Scalar(0))", event.guard);
   } else if (event.cause == StepCause::kFall || event.cause == StepCause::kLand) {
     condition +=
         event.cause == StepCause::kFall
@@ -156,34 +157,12 @@ std::string SearchWriter::beginning() const {
       stops = stops || (event.cause == StepCause::kLand && event.stops_point);
     }
   }
-  if (!lands) {
-    return "";
-  }
-  const std::string begins =
-      "\n/// Whether a point has begun to fall: before, no faster than by what its speed has grown "
-      "since.\n"
-      "bool begins_to_fall(Scalar before, Scalar now) noexcept {\n"
-      "  return now < Scalar(0) && now < Scalar(2) * before;\n}\n" +
-      fmt::format(
-          "\n/// Whether it falls from the plane itself, where it was held: no farther above than "
-          "this part of its\n/// fall. Drift in double is less in steps of 0.1 ms and more, in "
-          "float hardly ever.\n"
-          "bool falls_from_plane(Scalar height, Scalar end, Scalar before, Scalar now) "
-          "noexcept {{\n"
-          "  constexpr {} part = {};\n"
-          "  return begins_to_fall(before, now) && !(height < Scalar(0)) &&\n"
-          "         height < -part * end && before < -part * now;\n}}\n",
-          type_name(scalar_), literal(Real(1) / 65536, scalar_));
-  return !stops
-             ? begins
-             : begins + fmt::format(
-                            "\n/// The same, or it has just passed the plane, as one does beside "
-                            "another that lands.\n"
-                            "bool falls_now(Scalar height, Scalar before, Scalar now) noexcept {{\n"
-                            "  constexpr {} just = {};\n"
-                            "  return begins_to_fall(before, now) ||\n"
-                            "         (now < Scalar(0) && height > just * h * before);\n}}\n",
-                            type_name(scalar_), literal(Real("0.03125"), scalar_));
+  const auto filled = [&](const char* file, const char* slot, const Real& value) {
+    return fill(template_text(file),
+                {{"type", type_name(scalar_)}, {slot, literal(value, scalar_)}});
+  };
+  return (lands ? filled("step_falls.cpp", "part", Real(1) / 65536) : "") +
+         (stops ? filled("step_falls_now.cpp", "just", Real("0.03125")) : "");
 }
 
 std::string SearchWriter::first_event() const {

@@ -22,12 +22,6 @@ std::vector<Expr> inputs(Graph& graph, int array, int count) {
   return result;
 }
 
-std::vector<int> all_constraints(const model::Scene& scene) {
-  std::vector<int> all(scene.constraints.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
 }  // namespace
 
 int rows_of(const model::Scene& scene, const std::vector<int>& constraints) {
@@ -57,7 +51,7 @@ namespace {
 std::vector<Expr> articulated_dynamics(const Task& task, const SceneArrays& arrays) {
   const SceneForces forces(task, arrays);
   std::vector<Expr> result = articulated_accelerations(task, forces);
-  const std::vector<Expr> depths = contact_depths(*task.options.scene, task, forces);
+  const std::vector<Expr> depths = contact_depths(task, forces);
   result.insert(result.end(), depths.begin(), depths.end());
   return result;
 }
@@ -94,7 +88,7 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   result.insert(result.end(), qdd.begin(), qdd.end());
   const std::vector<Expr> lambda = system.reactions(rows.reactions(mu));
   result.insert(result.end(), lambda.begin(), lambda.end());
-  const std::vector<Expr> depths = contact_depths(*task.options.scene, task, system.forces());
+  const std::vector<Expr> depths = contact_depths(task, system.forces());
   result.insert(result.end(), depths.begin(), depths.end());
   return result;
 }
@@ -117,7 +111,7 @@ std::vector<Expr> rebounds(const model::Scene& scene, const Options& options, Gr
 std::vector<Expr> build_impact(const Task& task) {
   Graph& graph = task.kinematics.graph();
   const model::Scene& scene = *task.options.scene;
-  const SceneArrays& arrays = kImpactArrays;
+  const SceneArrays arrays = {.qd = 1, .tau = -1, .mu = 2};  // q, qd_minus, mu
   const SceneSystem system(task, arrays, false);
   const Meaning nothing = [&](const model::Variable&) {  // what rows want takes no part
     return constant(graph, Real(1));
@@ -152,16 +146,12 @@ std::vector<Expr> build_impact(const Task& task) {
 
 std::vector<Expr> build_reaction_jacobian(const Task& task) {
   const SceneFrame frame(task, false);
-  const auto n = to_index(task.tree.dof());
-  const model::Scene& scene = *task.options.scene;
-  const auto r = to_index(rows_of(scene, all_constraints(scene)));
-  std::vector<Expr> result(n * r);
-  std::size_t row = 0;
-  for (const Row& columns : base_rows(scene, frame, task.kinematics.graph())) {
-    for (const auto& [k, value] : columns.columns) {
-      result[to_index(k) * r + row] = value;
+  const std::vector<Row> rows = base_rows(*task.options.scene, frame, task.kinematics.graph());
+  std::vector<Expr> result(to_index(task.tree.dof()) * rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (const auto& [k, value] : rows[r].columns) {
+      result[to_index(k) * rows.size() + r] = value;
     }
-    ++row;
   }
   return result;
 }

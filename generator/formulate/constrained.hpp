@@ -21,8 +21,6 @@ std::vector<Expr> build_constrained_dynamics(const Task& task);
 /// (r), qd_plus (N), P (r). With A (qd_plus - qd_minus) = J^T P and J qd_plus = -e J qd_minus: K mu
 /// = b = -(1 + e) J qd_minus. No force takes part, finite as they are.
 std::vector<Expr> build_impact(const Task& task);
-/// Its input arrays: q, qd_minus, mu.
-inline constexpr SceneArrays kImpactArrays = {.qd = 1, .tau = -1, .mu = 2};
 
 /// J^T of all rows of the scene, N x r, row-major, base frame directions.
 std::vector<Expr> build_reaction_jacobian(const Task& task);

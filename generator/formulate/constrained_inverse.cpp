@@ -81,7 +81,7 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
   const std::vector<Expr> tau = solution.x(1);
   result.insert(result.end(), tau.begin(), tau.end());
   result.insert(result.end(), lambda.begin(), lambda.end());
-  const std::vector<Expr> depths = contact_depths(scene, task, forces);
+  const std::vector<Expr> depths = contact_depths(task, forces);
   result.insert(result.end(), depths.begin(), depths.end());
   return result;
 }

@@ -71,9 +71,8 @@ bool needs_power(const model::GroundContact& contact) {
   return !contact.law && halves != floor(halves);
 }
 
-std::vector<Expr> contact_depths(const model::Scene& scene, const Task& task,
-                                 const SceneForces& forces) {
-  return transformed(scene.contacts, [&](const model::GroundContact& c) {
+std::vector<Expr> contact_depths(const Task& task, const SceneForces& forces) {
+  return transformed(task.options.scene->contacts, [&](const model::GroundContact& c) {
     return depth_of(task, c.plane, forces.position(c.point));
   });
 }

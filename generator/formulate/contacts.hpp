@@ -8,8 +8,7 @@
 namespace treedyn::formulate {
 
 /// Depth of every contact's point below its plane, m.
-std::vector<Expr> contact_depths(const model::Scene& scene, const Task& task,
-                                 const SceneForces& forces);
+std::vector<Expr> contact_depths(const Task& task, const SceneForces& forces);
 
 /// Input arrays of the functions of one contact, after q and qd.
 inline constexpr int kDepthArray = 2;   ///< of all contacts, or of this one

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "common/index.hpp"
+
 namespace treedyn::formulate {
 
 std::vector<std::string> subtree_shapes(const model::Tree& tree) {
@@ -11,7 +13,7 @@ std::vector<std::string> subtree_shapes(const model::Tree& tree) {
   for (std::size_t i = sons.size(); i-- > 0;) {
     shape[i] = tree.links[i].joint.turns() ? "(r" : "(p";
     for (const int son : sons[i]) {
-      shape[i] += shape[static_cast<std::size_t>(son)];
+      shape[i] += shape[to_index(son)];
     }
     shape[i] += ")";
   }
@@ -42,7 +44,7 @@ class Finder {
   std::vector<LimbLinks> find() {
     std::vector<int> roots;
     for (int i = 0; i < tree_.size(); ++i) {
-      if (tree_.links[index(i)].father == model::kGround) {
+      if (tree_.links[to_index(i)].father == model::kGround) {
         roots.push_back(i);
       }
     }
@@ -51,11 +53,9 @@ class Finder {
   }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
   /// True if the joint is its coordinate, and no other joint moves with it.
   [[nodiscard]] bool moves_alone(int i) const {
-    const model::Drive& drive = tree_.drives[index(i)];
+    const model::Drive& drive = tree_.drives[to_index(i)];
     return drive.multiplier == 1 && drive.offset == 0 &&
            std::ranges::count(tree_.drives, drive.coordinate, &model::Drive::coordinate) == 1;
   }
@@ -67,17 +67,17 @@ class Finder {
       std::vector<int> links;
       append(i, links);
       if (std::ranges::all_of(links, [&](int k) { return moves_alone(k); })) {
-        classes[shapes_[index(i)]].push_back(links);
+        classes[shapes_[to_index(i)]].push_back(links);
       }
     }
     for (const int i : brothers) {
-      const auto found = classes.find(shapes_[index(i)]);
+      const auto found = classes.find(shapes_[to_index(i)]);
       const bool is_one = found != classes.end() && found->second.size() > 1 &&
                           std::ranges::any_of(found->second, [&](const std::vector<int>& links) {
                             return links.front() == i;
                           });
       if (!is_one) {
-        search(sons_[index(i)]);
+        search(sons_[to_index(i)]);
       } else if (found->second.front().front() == i) {
         result_.push_back(found->second);
       }
@@ -87,8 +87,8 @@ class Finder {
   /// The links of a subtree, brothers ordered by shape.
   void append(int i, std::vector<int>& links) const {
     links.push_back(i);
-    std::vector<int> sons = sons_[index(i)];
-    std::ranges::stable_sort(sons, {}, [&](int k) { return shapes_[index(k)]; });
+    std::vector<int> sons = sons_[to_index(i)];
+    std::ranges::stable_sort(sons, {}, [&](int k) { return shapes_[to_index(k)]; });
     std::ranges::for_each(sons, [&](int son) { append(son, links); });
   }
 

@@ -36,13 +36,6 @@ Matrix3 frame_with_z(const Vector3& axis) {
   return {x[0], y[0], axis[0], x[1], y[1], axis[1], x[2], y[2], axis[2]};
 }
 
-/// E = tr(J)/2 - J about the origin, from the tensor about the centre of mass.
-Matrix3 pseudo_inertia(const model::Inertia& inertia) {
-  const Matrix3& j = inertia.about_com;
-  const Real half_trace = (j[0] + j[4] + j[8]) / 2;
-  return half_trace * identity() - j + inertia.mass * outer(inertia.com, inertia.com);
-}
-
 /// Frames at the joints.
 NormalTree at_joints(const model::Tree& tree, const Vector3& gravity) {
   NormalTree result;
@@ -60,7 +53,9 @@ NormalTree at_joints(const model::Tree& tree, const Vector3& gravity) {
     made.offset = multiply_transposed(father, source.joint.offset);
     made.mass = source.inertia.mass;
     made.moment = multiply_transposed(p, source.inertia.mass * source.inertia.com);
-    made.pseudo = congruence(transpose(p), pseudo_inertia(source.inertia));
+    const Vector3& com = source.inertia.com;
+    made.pseudo = congruence(transpose(p), second_moments(source.inertia.about_com) +
+                                               source.inertia.mass * outer(com, com));
     made.to_normal = transpose(p);
     frame.push_back(p);
     if (!root) {
@@ -123,9 +118,7 @@ UnitLengths unit_lengths(const model::Tree& tree) {
       return {};
     }
   }
-  Variant plain;
-  plain.links.resize(tree.links.size());
-  const NormalTree normal = normal_form(tree, {}, plain);
+  const NormalTree normal = normal_form(tree, {}, plain_variant(tree));
   for (std::size_t i = 0; i < normal.links.size(); ++i) {
     for (const Real& component : normal.links[i].offset) {
       const Real length = abs(component);

@@ -16,17 +16,22 @@
 
 namespace treedyn::formulate {
 
+/// The variant before any search.
+inline Variant plain_variant(const model::Tree& tree) {
+  return {.links = std::vector<LinkVariant>(tree.links.size())};
+}
+
 /// A link in its normal frame, whose z axis is the joint axis and whose origin lies on it.
 struct NormalLink {
   int father = model::kGround;
   bool revolute = true;
-  int sign = 1;        ///< the joint turns (slides) by sign * q about (along) z
-  Matrix3 rotation{};  ///< link frame at q = 0 -> father's normal frame
-  EulerZxz euler;      ///< of `rotation`
-  Vector3 offset{};    ///< origin in the father's normal frame, without the slide
-  Real mass = 0;       ///< regrouped: may be zero or negative
-  Vector3 moment{};    ///< first moment h about the origin
-  Matrix3 pseudo{};  ///< pseudo-inertia E = integral of x x^T dm about the origin; J = tr(E) 1 - E
+  int sign = 1;         ///< the joint turns (slides) by sign * q about (along) z
+  Matrix3 rotation{};   ///< link frame at q = 0 -> father's normal frame
+  EulerZxz euler;       ///< of `rotation`
+  Vector3 offset{};     ///< origin in the father's normal frame, without the slide
+  Real mass = 0;        ///< regrouped: may be zero or negative
+  Vector3 moment{};     ///< first moment h about the origin
+  Matrix3 pseudo{};     ///< second moments Ψ = ∫ r r^T dm about the origin; I = tr(Ψ) E_3 - Ψ
   Matrix3 to_normal{};  ///< rotation: original link frame -> normal frame
   Vector3 origin{};     ///< origin of the normal frame in the original link frame
   std::vector<int> sons;

@@ -24,12 +24,6 @@ void count_new(const Graph& graph, std::size_t first, program::Cost& cost) {
   }
 }
 
-Variant plain_variant(const model::Tree& tree) {
-  Variant variant;
-  variant.links.resize(tree.links.size());
-  return variant;
-}
-
 namespace {
 
 /// The coordinates of limbs count with the signs that `normal` gives those of limbs.

@@ -111,7 +111,4 @@ inline program::Function build(const model::Tree& tree, const Recipe& recipe,
 /// A function of a scene's robot and points, without a search: quick to make for any tree.
 program::Function plain_function(const model::Scene& scene, const std::string& name);
 
-/// The variant before any search.
-Variant plain_variant(const model::Tree& tree);
-
 }  // namespace treedyn::formulate

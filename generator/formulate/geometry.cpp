@@ -104,6 +104,10 @@ Matrix3 operator*(const Real& s, const Matrix3& a) {
   return map(a, a, [&](const Real& x, const Real&) { return Real(s * x); });
 }
 
+Matrix3 second_moments(const Matrix3& tensor) {
+  return Real((tensor[0] + tensor[4] + tensor[8]) / 2) * identity() - tensor;
+}
+
 bool is_fixed(std::span<const Real> numbers) {
   return std::ranges::all_of(numbers, [](const Real& x) { return x.recipe() == 0; });
 }

@@ -27,6 +27,8 @@ Matrix3 outer(const Vector3& a, const Vector3& b);
 Matrix3 operator+(const Matrix3& a, const Matrix3& b);
 Matrix3 operator-(const Matrix3& a, const Matrix3& b);
 Matrix3 operator*(const Real& s, const Matrix3& a);
+/// tr(I)/2 - I, the second moments of the body whose inertia tensor is I.
+Matrix3 second_moments(const Matrix3& tensor);
 
 /// True if the numbers are the same at run time.
 bool is_fixed(std::span<const Real> numbers);

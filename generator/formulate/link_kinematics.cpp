@@ -40,14 +40,14 @@ Kinematics::Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& 
 Expr Kinematics::of_joint(int i, int array) const {
   return array == kNoInput ? Expr()
                            : constant(graph_, multiplier(i)) *
-                                 coordinate(array, tree_.drives[index(i)].coordinate);
+                                 coordinate(array, tree_.drives[to_index(i)].coordinate);
 }
 
 Expr Kinematics::displacement(int i) const {
   if (is_from_trunk_ && i <= kTrunkLink) {
     return {};
   }
-  const model::Drive& drive = tree_.drives[index(i)];
+  const model::Drive& drive = tree_.drives[to_index(i)];
   const Expr q = constant(graph_, multiplier(i)) * coordinate(inputs_.q, drive.coordinate) +
                  constant(graph_, drive.offset);
   return link(i).sign > 0 ? q : -q;
@@ -57,7 +57,7 @@ Angle Kinematics::joint_angle(int i) const {
   if (!link(i).revolute) {
     return {};
   }
-  const model::Drive& drive = tree_.drives[index(i)];
+  const model::Drive& drive = tree_.drives[to_index(i)];
   const Turn offset = drive.offset == 0 ? Turn{} : turn_by(link(i).sign * drive.offset);
   const Real factor = multiplier(i);
   if (factor == 0) {
@@ -67,7 +67,7 @@ Angle Kinematics::joint_angle(int i) const {
 }
 
 const Angle& Kinematics::own(int i, const std::vector<Angle>& angles) const {
-  return is_of_limb(i) ? angles[index(limbs_->places[index(i)].limb)] : angles.front();
+  return is_of_limb(i) ? angles[to_index(limbs_->places[to_index(i)].limb)] : angles.front();
 }
 
 template <class Number>
@@ -139,32 +139,32 @@ bool Kinematics::is_parallel(int i) const {
 }
 
 void Kinematics::find_runs() {
-  head_.assign(index(size()), -1);
-  run_.resize(index(size()));
-  std::vector<bool> continued(index(size()), false);
+  head_.assign(to_index(size()), -1);
+  run_.resize(to_index(size()));
+  std::vector<bool> continued(to_index(size()), false);
   for (int i = 0; i < size(); ++i) {
     const int f = link(i).father;
     if (!link(i).revolute) {
       continue;
     }
     const bool parallel = f != model::kGround && link(f).revolute && is_parallel(i);
-    if (parallel && choice(i).merge_parallel && !continued[index(f)]) {
-      continued[index(f)] = true;
-      head_[index(i)] = head_[index(f)];
+    if (parallel && choice(i).merge_parallel && !continued[to_index(f)]) {
+      continued[to_index(f)] = true;
+      head_[to_index(i)] = head_[to_index(f)];
     } else {
-      head_[index(i)] = i;
+      head_[to_index(i)] = i;
     }
-    run_[index(head_[index(i)])].push_back(i);
+    run_[to_index(head_[to_index(i)])].push_back(i);
   }
 }
 
 /// The frame of a run follows the first `cut` turns; the other links are turned against it by
 /// frame_angle_.
 void Kinematics::place_frames() {
-  frame_angle_.resize(index(size()));
-  run_angle_.resize(index(size()));
+  frame_angle_.resize(to_index(size()));
+  run_angle_.resize(to_index(size()));
   for (int head = 0; head < size(); ++head) {
-    const std::vector<int>& members = run_[index(head)];
+    const std::vector<int>& members = run_[to_index(head)];
     std::vector<Angle> cumulated = {Angle{}};
     for (const int i : members) {
       Angle angle = joint_angle(i) + constant_angle(link(i).euler.epsilon);
@@ -175,15 +175,15 @@ void Kinematics::place_frames() {
     }
     const std::size_t cut = std::min<std::size_t>(choice(head).cut, members.size());
     for (std::size_t k = 0; k < members.size(); ++k) {
-      frame_angle_[index(members[k])] = cumulated[k + 1] - cumulated[cut];
+      frame_angle_[to_index(members[k])] = cumulated[k + 1] - cumulated[cut];
     }
-    run_angle_[index(head)] = cumulated[cut];
+    run_angle_[to_index(head)] = cumulated[cut];
   }
 }
 
 /// Turn of the father's expression frame against its normal frame.
 Angle Kinematics::father_angle(int i) const {
-  return link(i).father == model::kGround ? Angle{} : frame_angle_[index(link(i).father)];
+  return link(i).father == model::kGround ? Angle{} : frame_angle_[to_index(link(i).father)];
 }
 
 /// Turns about z before and behind the one about x.
@@ -191,7 +191,7 @@ Angle Kinematics::first_angle(int i) const {
   return father_angle(i) + constant_angle(link(i).euler.gamma);
 }
 Angle Kinematics::last_angle(int i) const {
-  return link(i).revolute ? run_angle_[index(i)] : constant_angle(link(i).euler.epsilon);
+  return link(i).revolute ? run_angle_[to_index(i)] : constant_angle(link(i).euler.epsilon);
 }
 
 void Kinematics::place_link(int i) {
@@ -227,22 +227,22 @@ Vec3 Kinematics::axis_in_father(int i) const {
 }
 
 Vec3 Kinematics::to_father(int i, const Vec3& v) const {
-  return turned(rotations_[index(i)], v, &PlaneRotation::forward);
+  return turned(rotations_[to_index(i)], v, &PlaneRotation::forward);
 }
 
 Vec3 Kinematics::from_father(int i, Vec3 v) const {
-  for (const PlaneRotation& step : rotations_[index(i)]) {
+  for (const PlaneRotation& step : rotations_[to_index(i)]) {
     v = step.backward(v);
   }
   return v;
 }
 
 Mat3 Kinematics::to_father_symmetric(int i, const Mat3& s) const {
-  return turned(rotations_[index(i)], s, &PlaneRotation::forward_symmetric);
+  return turned(rotations_[to_index(i)], s, &PlaneRotation::forward_symmetric);
 }
 
 Mat3 Kinematics::to_father_general(int i, const Mat3& h) const {
-  return turned(rotations_[index(i)], h, &PlaneRotation::forward_general);
+  return turned(rotations_[to_index(i)], h, &PlaneRotation::forward_general);
 }
 
 Vec3 Kinematics::ground_acceleration() const {
@@ -266,7 +266,8 @@ Kinematics Kinematics::with_loads(const PointLoads& loads) const {
 Kinematics Kinematics::from_trunk(const Vec3& omega) const {
   Kinematics k = *this;
   const Expr one = constant(graph_, Real(1));
-  for (std::size_t i = 0; i <= index(kTrunkLink); ++i) {  // x, y, z: z of link i is the next axis
+  for (std::size_t i = 0; i <= to_index(kTrunkLink);
+       ++i) {  // x, y, z: z of link i is the next axis
     k.rotations_[i] = {{kZ, Expr(), one}, {kX, Expr(), one}};
     k.offset_[i] = k.joint_offset_[i] = {};
   }
@@ -277,7 +278,7 @@ Kinematics Kinematics::from_trunk(const Vec3& omega) const {
 
 std::vector<PlaneRotation> Kinematics::turn_of_frame(int i) const {
   std::vector<PlaneRotation> steps;
-  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
+  append(steps, kZ, i, [this](int k) { return frame_angle_[to_index(k)]; });
   return steps;
 }
 

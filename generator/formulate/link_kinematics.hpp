@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "common/index.hpp"
 #include "common/transformed.hpp"
 #include "formulate/frames.hpp"
 #include "formulate/rotation.hpp"
@@ -69,8 +70,8 @@ class Kinematics {
   [[nodiscard]] const PointLoads* loads() const { return loads_; }
 
   [[nodiscard]] int size() const { return static_cast<int>(normal_.links.size()); }
-  [[nodiscard]] const NormalLink& link(int i) const { return normal_.links[index(i)]; }
-  [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[index(i)]; }
+  [[nodiscard]] const NormalLink& link(int i) const { return normal_.links[to_index(i)]; }
+  [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[to_index(i)]; }
   [[nodiscard]] const Variant& variant() const { return variant_; }
   [[nodiscard]] Graph& graph() const { return graph_; }
   [[nodiscard]] SharedLimbs* limbs() const { return limbs_; }
@@ -99,12 +100,12 @@ class Kinematics {
   [[nodiscard]] const Vec3& ground_turning() const { return ground_turning_; }
 
   /// s'_i (convention B of EQUATIONS.md 1.1) in the father's expression frame, with the slide.
-  [[nodiscard]] const Vec3& offset(int i) const { return offset_[index(i)]; }
+  [[nodiscard]] const Vec3& offset(int i) const { return offset_[to_index(i)]; }
   /// The same without the slide.
-  [[nodiscard]] const Vec3& joint_offset(int i) const { return joint_offset_[index(i)]; }
+  [[nodiscard]] const Vec3& joint_offset(int i) const { return joint_offset_[to_index(i)]; }
   /// True if link i shares the expression frame of its father.
   [[nodiscard]] bool shares_frame(int i) const {
-    return head_[index(i)] != i && head_[index(i)] >= 0;
+    return head_[to_index(i)] != i && head_[to_index(i)] >= 0;
   }
 
   [[nodiscard]] Vec3 to_father(int i, const Vec3& v) const;
@@ -118,9 +119,9 @@ class Kinematics {
   struct Body {
     Expr mass;
     Vec3 moment;  ///< first
-    Mat3 tensor;  ///< pseudo-inertia E, or inertia tensor tr(E) 1 - E
+    Mat3 tensor;  ///< second moments Ψ, or inertia tensor tr(Ψ) E_3 - Ψ
   };
-  /// Of link i alone, with its pseudo-inertia.
+  /// Of link i alone, with its second moments.
   [[nodiscard]] const Body& body(int i) const;
   /// The same with its inertia tensor.
   [[nodiscard]] const Body& body_with_inertia_tensor(int i) const;
@@ -131,7 +132,6 @@ class Kinematics {
   [[nodiscard]] Mat3 orientation(int i) const;  ///< model frame of link i -> expression frame
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void find_runs();
   void place_frames();
   void place_link(int i);
@@ -153,10 +153,10 @@ class Kinematics {
   [[nodiscard]] auto of_peers(int i, Of of) const;
   [[nodiscard]] bool is_parallel(int i) const;
   [[nodiscard]] bool is_of_limb(int i) const {
-    return limbs_ != nullptr && limbs_->places[index(i)].limb_class >= 0;
+    return limbs_ != nullptr && limbs_->places[to_index(i)].limb_class >= 0;
   }
   [[nodiscard]] Real multiplier(int i) const {
-    return is_of_limb(i) ? Real(1) : tree_.drives[index(i)].multiplier;
+    return is_of_limb(i) ? Real(1) : tree_.drives[to_index(i)].multiplier;
   }
   [[nodiscard]] Angle father_angle(int i) const;
   [[nodiscard]] Angle first_angle(int i) const;

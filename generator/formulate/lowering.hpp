@@ -25,7 +25,7 @@ class Lowering {
 
   /// Column `k` of what the function derives to, a block for every element of its rows: vectors in
   /// `frame`, numbers as they are, one behind the other.
-  [[nodiscard]] std::vector<Expr> written(int k, block::Set set, int frame = kBase);
+  [[nodiscard]] std::vector<Expr> written(int k, block::Set set, int frame);
   [[nodiscard]] int count(block::Set set) const;
   /// Entry (i, place) of a symmetric matrix. \pre i is `place` or above
   [[nodiscard]] Expr entry(int i) const { return of(derivation_.roots.front(), i).number; }
@@ -82,7 +82,7 @@ class Lowering {
   [[nodiscard]] Block leaf(const Value& v, int e) const;
   [[nodiscard]] Block link_leaf(const Value& v, int e) const;
   [[nodiscard]] Mat3 tensor_about_joint(int e) const;
-  [[nodiscard]] Mat3 pseudo_inertia(int e) const;
+  [[nodiscard]] Mat3 second_moments(int e) const;
   [[nodiscard]] Block input(const Value& v, const equations::UserArgument& argument, int array,
                             int e) const;
   [[nodiscard]] Block orientation(const equations::UserFrame& frame) const;
@@ -147,7 +147,7 @@ class Lowering {
   std::map<int, Blocks> totals_;                     ///< D x or D^T x, by value
   std::map<int, std::vector<Sum>> sums_;             ///< what the sons hand on, by value
   std::map<int, std::vector<TensorTerms>> tensors_;  ///< of composites, by value
-  std::map<int, std::vector<Mat3>> pseudo_;          ///< pseudo-inertias of composites, by value
+  std::map<int, std::vector<Mat3>> pseudo_;          ///< second moments of composites, by value
   std::map<int, std::vector<Squares>> squares_;      ///< of turnings, by Ω
   std::vector<int> named_;                           ///< sums of the link that have no names yet
   std::vector<int> owners_;  ///< by node of the graph: the value for which it is written, or none

@@ -31,7 +31,7 @@ Lowering::TensorTerms& Lowering::composite_terms(int id, int i) {
   all.resize(to_index(task_.tree.size()));
   TensorTerms& terms = all[to_index(i)];
   if (terms[0][0].empty()) {
-    const Mat3 tensor = has_tensors() ? tensor_about_joint(i) : pseudo_inertia(i);
+    const Mat3 tensor = has_tensors() ? tensor_about_joint(i) : second_moments(i);
     const Mat3 own = frames_.moved({i, tensor}, home(block::Set::kLinks, i)).value;
     for (std::size_t a = 0; a < kSize; ++a) {
       for (std::size_t b = a; b < kSize; ++b) {
@@ -42,7 +42,7 @@ Lowering::TensorTerms& Lowering::composite_terms(int id, int i) {
   return terms;
 }
 
-/// E_f += E + F, F = h s^T + s h^T + m s s^T; or I_f += I + tr(F) - F.
+/// Ψ_f += Ψ + F, F = h s^T + s h^T + m s s^T; or I_f += I + tr(F) E_3 - F.
 void Lowering::hand_on(TensorTerms& father, Expr mass, const Vec3& h, const Vec3& s,
                        const Mat3& tensor) const {
   for (std::size_t a = 0; a < kSize; ++a) {
@@ -65,15 +65,15 @@ void Lowering::hand_on(TensorTerms& father, Expr mass, const Vec3& h, const Vec3
   }
 }
 
-/// E of I = tr(E) - E: of a link, or of the composite at it.
+/// Ψ of I = tr(Ψ) E_3 - Ψ: of a link, or of the composite at it.
 Block Lowering::pseudo(const Value& v, int e) const {
   const int I = v.operands[0];
   if (value(I).op != derive::Op::kComposite) {
-    return {{}, {}, {e, pseudo_inertia(e)}};
+    return {{}, {}, {e, second_moments(e)}};
   }
   const auto sums = pseudo_.find(I);
   const Mat3 E = sums != pseudo_.end() ? sums->second[to_index(e)]
-                                       : pseudo_inertia_of(graph(), of(I, e).tensor.value);
+                                       : second_moments_of(graph(), of(I, e).tensor.value);
   return {{}, {}, {home(block::Set::kLinks, e), E}};
 }
 

@@ -12,8 +12,6 @@
 namespace treedyn::formulate {
 namespace {
 
-using block::Set;
-using derive::Op;
 using derive::Type;
 
 }  // namespace
@@ -111,12 +109,12 @@ Mat3 Lowering::tensor_about_joint(int e) const {
   return I;
 }
 
-/// E of I = tr(E) - E.
-Mat3 Lowering::pseudo_inertia(int e) const {
+/// Ψ of I = tr(Ψ) E_3 - Ψ.
+Mat3 Lowering::second_moments(int e) const {
   if (function_.regroups) {
     return task_.kinematics.body(e).tensor;
   }
-  return pseudo_inertia_of(graph(), tensor_about_joint(e));
+  return second_moments_of(graph(), tensor_about_joint(e));
 }
 
 /// The symbols of EQUATIONS.md 1: axes and centres in the link, s in the father. Where the places
@@ -165,7 +163,7 @@ Block Lowering::link_leaf(const Value& v, int e) const {
   }
   if (v.name == "I^d") {
     const bool pseudo = function_.regroups && (derivation_.elimination || !has_tensors());
-    return {{}, {}, {e, pseudo ? inertia_tensor(pseudo_inertia(e)) : tensor_about_joint(e)}};
+    return {{}, {}, {e, pseudo ? inertia_tensor(second_moments(e)) : tensor_about_joint(e)}};
   }
   TREEDYN_EXPECT(v.name == "g");
   return vector(kBase, -k.ground_acceleration());

@@ -112,36 +112,36 @@ Mat3 Lowering::turned_by_column(int i, const Vec3& omega, const Vec3& third, con
 
 namespace {
 
-/// vee(Omega E) of a body that does not accelerate: Omega is symmetric.
-Vec3 centrifugal_moment(const Mat3& Omega, const Mat3& E) {
-  const Mat3 m = Omega * E;
+/// vee(Ω Ψ) of a body that does not accelerate: Omega is symmetric.
+Vec3 centrifugal_moment(const Mat3& Omega, const Mat3& Psi) {
+  const Mat3 m = Omega * Psi;
   return {m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]};
 }
 
-/// vee(Omega E): the moment of a turning body by its pseudo-inertia.
-Vec3 moment_by_pseudo_inertia(const Mat3& Omega, Expr xx_zz, const Mat3& E) {
-  return {sum({Omega[2][1] * E[1][1], Omega[2][0] * E[0][1], -(Omega[1][0] * E[0][2]),
-               -(Omega[1][2] * E[2][2]), (Omega[2][2] - Omega[1][1]) * E[1][2]}),
-          sum({Omega[0][2] * E[2][2], Omega[0][1] * E[1][2], -(Omega[2][1] * E[0][1]),
-               -(Omega[2][0] * E[0][0]), xx_zz * E[0][2]}),
-          sum({Omega[1][0] * E[0][0], Omega[1][2] * E[0][2], -(Omega[0][2] * E[1][2]),
-               -(Omega[0][1] * E[1][1]), (Omega[1][1] - Omega[0][0]) * E[0][1]})};
+/// vee(Ω Ψ): the moment of a turning body by its second moments.
+Vec3 moment_by_second_moments(const Mat3& Omega, Expr xx_zz, const Mat3& Psi) {
+  return {sum({Omega[2][1] * Psi[1][1], Omega[2][0] * Psi[0][1], -(Omega[1][0] * Psi[0][2]),
+               -(Omega[1][2] * Psi[2][2]), (Omega[2][2] - Omega[1][1]) * Psi[1][2]}),
+          sum({Omega[0][2] * Psi[2][2], Omega[0][1] * Psi[1][2], -(Omega[2][1] * Psi[0][1]),
+               -(Omega[2][0] * Psi[0][0]), xx_zz * Psi[0][2]}),
+          sum({Omega[1][0] * Psi[0][0], Omega[1][2] * Psi[0][2], -(Omega[0][2] * Psi[1][2]),
+               -(Omega[0][1] * Psi[1][1]), (Omega[1][1] - Omega[0][0]) * Psi[0][1]})};
 }
 
-/// J alpha + omega x J omega by the inertia tensor J = tr(E) - E.
+/// I α + ω×I ω by the inertia tensor I = tr(Ψ) E_3 - Ψ.
 Vec3 moment_by_tensor(const Mat3& Omega, const Vec3& alpha, const Vec3& omega, Expr xx, Expr yy,
-                      const Mat3& E) {
+                      const Mat3& Psi) {
   const auto& [x, y, z] = omega;
   const Expr zz = z * z;
-  const Expr jx = E[1][1] + E[2][2];
-  const Expr jy = E[0][0] + E[2][2];
-  const Expr jz = E[0][0] + E[1][1];
-  return {sum({jx * alpha[0], (jz - jy) * (y * z), E[0][1] * Omega[2][0], -(E[0][2] * Omega[1][0]),
-               -((yy - zz) * E[1][2])}),
-          sum({jy * alpha[1], (jx - jz) * (x * z), -(E[0][1] * Omega[2][1]), E[1][2] * Omega[0][1],
-               -((zz - xx) * E[0][2])}),
-          sum({jz * alpha[2], (jy - jx) * (x * y), E[0][2] * Omega[1][2], -(E[1][2] * Omega[0][2]),
-               -((xx - yy) * E[0][1])})};
+  const Expr jx = Psi[1][1] + Psi[2][2];
+  const Expr jy = Psi[0][0] + Psi[2][2];
+  const Expr jz = Psi[0][0] + Psi[1][1];
+  return {sum({jx * alpha[0], (jz - jy) * (y * z), Psi[0][1] * Omega[2][0],
+               -(Psi[0][2] * Omega[1][0]), -((yy - zz) * Psi[1][2])}),
+          sum({jy * alpha[1], (jx - jz) * (x * z), -(Psi[0][1] * Omega[2][1]),
+               Psi[1][2] * Omega[0][1], -((zz - xx) * Psi[0][2])}),
+          sum({jz * alpha[2], (jy - jx) * (x * y), Psi[0][2] * Omega[1][2],
+               -(Psi[1][2] * Omega[0][2]), -((xx - yy) * Psi[0][1])})};
 }
 
 }  // namespace
@@ -149,9 +149,9 @@ Vec3 moment_by_tensor(const Mat3& Omega, const Vec3& alpha, const Vec3& omega, E
 Block Lowering::moment(const Value& v, int e) const {
   const Tensor& Omega = of(v.operands[0], e).tensor;
   const int frame = Omega.frame;
-  const Mat3 E = frames_.moved({e, pseudo_inertia(e)}, frame).value;
+  const Mat3 Psi = frames_.moved({e, second_moments(e)}, frame).value;
   if (value(v.operands[1]).op == derive::Op::kZero) {
-    return {{}, {{frame, centrifugal_moment(Omega.value, E)}}, {}};
+    return {{}, {{frame, centrifugal_moment(Omega.value, Psi)}}, {}};
   }
   const Vec3 alpha = frames_.in(of(v.operands[1], e).vector, frame);
   const Vec3 omega = frames_.in(of(v.operands[2], e).vector, frame);
@@ -160,18 +160,18 @@ Block Lowering::moment(const Value& v, int e) const {
                                             : Squares{omega[0] * omega[0], omega[1] * omega[1],
                                                       Omega.value[0][0] - Omega.value[2][2]};
   const Vec3 M = task_.kinematics.choice(e).tensor_moment
-                     ? moment_by_tensor(Omega.value, alpha, omega, s.xx, s.yy, E)
-                     : moment_by_pseudo_inertia(Omega.value, s.xx_zz, E);
+                     ? moment_by_tensor(Omega.value, alpha, omega, s.xx, s.yy, Psi)
+                     : moment_by_second_moments(Omega.value, s.xx_zz, Psi);
   return {{}, {{frame, M}}, {}};
 }
 
-/// ω·(I ω) = -tr(Λ(ω)² E).
+/// ω·(I ω) = -tr(Λ(ω)² Ψ).
 Block Lowering::square(const Value& v, int e) const {
   const int frame = home(v.set, e);
   const Mat3 u = skew_squared(frames_.in(of(v.operands[0], e).vector, frame));
-  const Mat3 E = frames_.moved({e, pseudo_inertia(e)}, frame).value;
-  const Expr squares = sum({-u[0][0] * E[0][0], -u[1][1] * E[1][1], -u[2][2] * E[2][2]});
-  const Expr products = sum({u[0][1] * E[0][1], u[0][2] * E[0][2], u[1][2] * E[1][2]});
+  const Mat3 Psi = frames_.moved({e, second_moments(e)}, frame).value;
+  const Expr squares = sum({-u[0][0] * Psi[0][0], -u[1][1] * Psi[1][1], -u[2][2] * Psi[2][2]});
+  const Expr products = sum({u[0][1] * Psi[0][1], u[0][2] * Psi[0][2], u[1][2] * Psi[1][2]});
   return {squares - number(2) * products, {}, {}};
 }
 

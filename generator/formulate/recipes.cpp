@@ -85,21 +85,6 @@ constexpr int kParameters = 10;
 constexpr std::array<std::array<std::size_t, 2>, 6> kEntries = {
     {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
 
-/// Pseudo-inertia of a tensor J = tr(E) 1 - E with one entry.
-Matrix3 pseudo_inertia(std::size_t row, std::size_t column) {
-  Matrix3 result{};
-  if (row == column) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      result[4 * k] = Real(1) / 2;
-    }
-    result[4 * row] -= 1;
-  } else {
-    result[3 * row + column] = -1;
-    result[3 * column + row] = -1;
-  }
-  return result;
-}
-
 /// Gives a link a unit of one parameter, which counts in the model's frame of the link.
 void add_unit(NormalLink& link, int parameter) {
   const auto k = to_index(parameter);
@@ -110,7 +95,10 @@ void add_unit(NormalLink& link, int parameter) {
   } else if (k < 4) {
     moment[k - 1] = 1;
   } else {
-    pseudo = pseudo_inertia(kEntries[k - 4][0], kEntries[k - 4][1]);
+    const auto [row, column] = kEntries[k - 4];
+    Matrix3 tensor{};
+    tensor[3 * row + column] = tensor[3 * column + row] = 1;
+    pseudo = second_moments(tensor);
   }
   const Vector3& o = link.origin;
   pseudo = pseudo - outer(o, moment) - outer(moment, o) + link.mass * outer(o, o);

@@ -4,7 +4,7 @@ namespace treedyn::formulate {
 
 namespace {
 
-/// Moves mass at the origin, first moment along z and E_zz from revolute link l to its father:
+/// Moves mass at the origin, first moment along z and Ψ_zz from revolute link l to its father:
 /// exact, because the joint cannot feel them (EQUATIONS.md 8).
 // Copies, as they may be numbers of the link itself.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
@@ -52,8 +52,8 @@ Real moved_mass(const NormalTree& tree, const NormalLink& l, MassGauge gauge) {
   return -(father.moment[axis] + l.rotation[3 * axis + 2] * l.moment[2]) / l.offset[axis];
 }
 
-/// The part of E_zz that passes to the father.
-Real moved_pseudo_inertia(const NormalLink& l, TensorGauge gauge) {
+/// The part of Ψ_zz that passes to the father.
+Real moved_second_moment(const NormalLink& l, TensorGauge gauge) {
   switch (gauge) {
     case TensorGauge::kZz:
       return l.pseudo[8];
@@ -75,7 +75,7 @@ void regroup(NormalTree& tree, int i, const LinkVariant& how) {
     return;
   }
   move_to_father(tree, l, moved_mass(tree, l, how.mass), l.moment[2],
-                 moved_pseudo_inertia(l, how.tensor));
+                 moved_second_moment(l, how.tensor));
 }
 
 void clean_constants(NormalTree& tree) {

@@ -337,12 +337,11 @@ program::Staged SceneFormulator::contact_press(std::size_t contact) const {
   const program::Array force = {program::kForceArray, dof_, kForceUnit};
   staged.signature = {
       contact_name(scene_, contact, "press"), "(8)", "", {q(), qd(), depth}, {force}};
-  staged.function.signature = {"",
+  staged.function.signature = {staged.signature.name,
                                "",
                                "",
                                {q(), qd(), depth, {program::kNormalArray, 1, "N"}, force},
                                {{program::kLawArray, 1, "N"}, force}};
-  staged.function.signature.name = staged.signature.name;
   staged.levels = {0, 0, 0, 1, 0};
   staged.gates = {program::Gate::kClamp};
   add_power(contact, 0, staged);

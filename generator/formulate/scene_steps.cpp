@@ -20,7 +20,6 @@ using model::Scene;
 using program::Staged;
 using program::StepCause;
 using program::StepEvent;
-
 using program::StepOutcome;
 using program::StepPhase;
 
@@ -208,8 +207,8 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     guarded.push_back(event);
   }
   const std::vector<int>& before = states_[state].active;
-  result.cause = cause_of(
-      event, lands(scene_, event, before, active_behind(scene_, states_[state], event, false)));
+  const std::vector<int> behind = active_behind(scene_, states_[state], event, false);
+  result.cause = cause_of(event, lands(scene_, event, before, behind));
   if (result.cause == StepCause::kFall || result.cause == StepCause::kLand ||
       may_rest(scene_, event)) {
     result.approach = static_cast<int>(approached.size());
@@ -220,11 +219,7 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     result.rest_below = event.impact->rest_below;
   }
   result.goes_on = event.goes_on;
-  std::vector<int> rows = event.impact ? model::struck(scene_, event) : std::vector<int>();
-  std::ranges::copy_if(active_behind(scene_, states_[state], event, false),
-                       std::back_inserter(rows),
-                       [&](int c) { return std::ranges::count(before, c) == 0; });
-  result.stops_point = model::floor_of(scene_, event, rows) >= 0;
+  result.stops_point = model::stops_point(scene_, event, before, behind);
   result.holds = event.kind == EventKind::kReaction ? event.plane.height.plain() : Real(0);
   phase.events.push_back(std::move(result));
 }

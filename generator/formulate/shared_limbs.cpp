@@ -32,16 +32,16 @@ std::vector<int> Kinematics::peers(int i) const {
   if (!is_of_limb(i)) {
     return {i};
   }
-  const SharedLimbs::Place& place = limbs_->places[index(i)];
-  return transformed(limbs_->links[index(place.limb_class)],
-                     [&](const std::vector<int>& limb) { return limb[index(place.position)]; });
+  const SharedLimbs::Place& place = limbs_->places[to_index(i)];
+  return transformed(limbs_->links[to_index(place.limb_class)],
+                     [&](const std::vector<int>& limb) { return limb[to_index(place.position)]; });
 }
 
 Expr Kinematics::own(int i, const std::vector<Real>& values) const {
   if (!is_of_limb(i)) {
     return constant(graph_, values.front());
   }
-  const SharedLimbs::Place& place = limbs_->places[index(i)];
+  const SharedLimbs::Place& place = limbs_->places[to_index(i)];
   return {graph_,
           program::limb_constant(graph_, limbs_->table, place.limb_class, place.limb, values)};
 }
@@ -67,19 +67,19 @@ Mat3 Kinematics::own_matrix(int i, Matrix3 (*matrix)(const NormalLink&)) const {
 /// The argument of a limb is a leaf: the sign of the coordinate belongs to the leaf.
 Expr Kinematics::coordinate(int array, int k) const {
   if (array == inputs_.tau && !forces_.empty()) {
-    return forces_[index(k)];
+    return forces_[to_index(k)];
   }
   if (array == inputs_.qd && is_from_trunk_ && k <= kTrunkLink) {
     return {};
   }
-  const bool leaf = is_of_limb(tree_.coordinates[index(k)]);
+  const bool leaf = is_of_limb(tree_.coordinates[to_index(k)]);
   return {graph_, graph_.input(leaf ? program::kLimbInputs + array : array, k)};
 }
 
 Expr Kinematics::argument(int array, int k) const { return result(k, coordinate(array, k)); }
 
 Expr Kinematics::result(int k, Expr of_joint) const {
-  return link(tree_.coordinates[index(k)]).coordinate_sign < 0 ? -of_joint : of_joint;
+  return link(tree_.coordinates[to_index(k)]).coordinate_sign < 0 ? -of_joint : of_joint;
 }
 
 }  // namespace treedyn::formulate

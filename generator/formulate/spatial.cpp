@@ -2,13 +2,13 @@
 
 namespace treedyn::formulate {
 
-Mat3 inertia_tensor(const Mat3& E) {
-  return {{{E[1][1] + E[2][2], -E[0][1], -E[0][2]},
-           {-E[0][1], E[0][0] + E[2][2], -E[1][2]},
-           {-E[0][2], -E[1][2], E[0][0] + E[1][1]}}};
+Mat3 inertia_tensor(const Mat3& Psi) {
+  return {{{Psi[1][1] + Psi[2][2], -Psi[0][1], -Psi[0][2]},
+           {-Psi[0][1], Psi[0][0] + Psi[2][2], -Psi[1][2]},
+           {-Psi[0][2], -Psi[1][2], Psi[0][0] + Psi[1][1]}}};
 }
 
-Mat3 pseudo_inertia_of(Graph& graph, Mat3 I) {
+Mat3 second_moments_of(Graph& graph, Mat3 I) {
   const Expr half_trace = constant(graph, Real("0.5")) * (I[0][0] + I[1][1] + I[2][2]);
   for (std::size_t k = 0; k < kSize; ++k) {
     I[k] = -I[k];

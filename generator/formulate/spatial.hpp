@@ -77,10 +77,10 @@ inline Mat3 constant(Graph& graph, const model::Matrix3& m) {
   return result;
 }
 
-/// I = tr(E) - E.
-Mat3 inertia_tensor(const Mat3& E);
-/// E of it.
-Mat3 pseudo_inertia_of(Graph& graph, Mat3 I);
+/// I = tr(Ψ) E_3 - Ψ.
+Mat3 inertia_tensor(const Mat3& Psi);
+/// Ψ of it.
+Mat3 second_moments_of(Graph& graph, Mat3 I);
 
 /// A sum whose constant terms are added last, as one number.
 Expr sum(const std::vector<Expr>& terms);

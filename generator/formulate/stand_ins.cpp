@@ -27,10 +27,7 @@ constexpr int kScenePlaces = 1 << 25;
 
 /// The offset between two axes; where there are no two, its components.
 Vector3 offset_of(const model::Joint& joint, const model::Joint* father, StandInNumbers& all) {
-  const auto turns = [](const model::Joint& of) {
-    return of.turns();
-  };
-  if (father == nullptr || !turns(joint) || !turns(*father)) {
+  if (father == nullptr || !joint.turns() || !father->turns()) {
     return all.vector(StandIn::kOffset, joint.offset);
   }
   return all.offset(joint.offset, father->axis, multiply(joint.rotation, joint.axis));

@@ -15,8 +15,8 @@ enum class FrameAngle : std::uint8_t { kAuto, kFirstMoment, kProductXy, kProduct
 /// How much mass a revolute link passes to its father (EQUATIONS.md 8): all of it, or as much as
 /// makes the x, y or z component of the father's first moment vanish, none, or no parameter at all.
 enum class MassGauge : std::uint8_t { kAll, kCancelX, kCancelY, kCancelZ, kKeepMass, kNothing };
-/// Which entry of the pseudo-inertia the regrouping makes vanish: E_zz, E_zz = -E_xx, E_zz = -E_yy,
-/// none.
+/// What regrouping makes of a link's Ψ_zz = ∫ z² dm (EQUATIONS.md 8): 0, -Ψ_xx, -Ψ_yy, or what it
+/// was.
 enum class TensorGauge : std::uint8_t { kZz, kZzPlusXx, kZzPlusYy, kKeep };
 
 /// Where the vectors of derived functions stand: in link frames, those of points carried to the

@@ -204,4 +204,11 @@ int floor_of(const Scene& scene, const Event& event, const std::vector<int>& row
   return found == rows.end() ? -1 : *found;
 }
 
+bool stops_point(const Scene& scene, const Event& event, const std::vector<int>& before,
+                 const std::vector<int>& behind) {
+  std::vector<int> rows = event.impact ? struck(scene, event) : std::vector<int>();
+  std::ranges::set_difference(behind, before, std::back_inserter(rows));
+  return floor_of(scene, event, rows) >= 0;
+}
+
 }  // namespace treedyn::model

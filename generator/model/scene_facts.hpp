@@ -54,6 +54,11 @@ bool is_led(const Constraint& constraint);
 /// \pre event.impact
 std::vector<int> struck(const Scene& scene, const Event& event);
 
+/// True if the impact of a touch-down, or what begins to act behind it, stops its point.
+/// \param before, behind  what acts, ascending
+bool stops_point(const Scene& scene, const Event& event, const std::vector<int>& before,
+                 const std::vector<int>& behind);
+
 /// The value of a variable at a point of the scene.
 using AtPoint = std::function<double(int point, const Variable& variable)>;
 /// "drive of joint 'elbow'": what acts and has no value at a state; empty if there is none.

@@ -36,8 +36,8 @@ Vector to_vector(const std::vector<Real>& values) {
 /// The part of the robot's size, or rad, that drift may reach where nothing is done against it.
 constexpr double kDriftOfNone = 0.1;
 
-/// Who asks for drift does not want to end by it while the robot is about whole, unless a bound of
-/// his own says so.
+/// Where drift is asked for, it ends the motion at kDriftOfNone instead of the usual bound, unless
+/// a bound is asked for, too.
 Bounds bounds_of(const Settings& settings) {
   Bounds result = settings.bounds;
   if (settings.drift == Drift::kNone && result.drift_end == Bounds{}.drift_end) {
@@ -395,7 +395,8 @@ void Simulator::guard_against_standstill(double end) {
     }
     throw std::runtime_error(fmt::format(
         "steps hardly advance time: {} of them, {:.2g} s in all, at t = {} s; more than {:.2g} for "
-        "the rest ({}a stiff scene: --integrator sdirk2; or --max-steps)",
+        "the rest ({}a shorter duration, --max-steps or, if the scene is stiff, --integrator "
+        "sdirk2)",
         kTrial, advance, t_, most,
         ended * kStepsOfAPhase > static_cast<std::size_t>(kTrial)
             ? fmt::format("{} events, '{}' the last: phases that last longer; or ", ended,

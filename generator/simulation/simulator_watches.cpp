@@ -74,16 +74,9 @@ bool Simulator::is_still_to_come(const Watch& watch, const Watch* same) {
   return std::fabs(watch.value(system_, t_, arrived_)) <= std::max(kOnPlane, passed);
 }
 
-/// The impact of a touch-down, or what begins to hold behind it, stops its point.
 bool Simulator::lands(const model::Event& event) const {
-  const std::vector<int>& active = system_.constraints().active();
-  std::vector<int> rows = event.impact ? model::struck(scene_, event) : std::vector<int>();
-  for (const int c : scene_.phases[static_cast<std::size_t>(event.then)].active) {
-    if (!std::ranges::binary_search(active, c)) {
-      rows.push_back(c);
-    }
-  }
-  return model::floor_of(scene_, event, rows) >= 0;
+  return model::stops_point(scene_, event, system_.constraints().active(),
+                            scene_.phases[static_cast<std::size_t>(event.then)].active);
 }
 
 /// Sides of contacts are kept: on the plane the state does not tell them.

@@ -193,6 +193,14 @@ void System::keep_held(Vector& rows) const {
   }
 }
 
+/// J qd - c' of all rows of J.
+void System::speed_errors(double t, const Vector& qd) {
+  constraints_.velocities(t, rate_);
+  pad(rate_);
+  rate_ = J_ * qd - rate_;
+  keep_held(rate_);
+}
+
 void System::add_stabilisation(double t, const Vector& q, const Vector& qd) {
   const int rows = constraints_.rows();
   constraints_.errors(terms_, t, q, phi_);
@@ -284,10 +292,7 @@ void System::add_turn(const State& state) {
   solve_.multipliers().head(rows).cwiseAbs().maxCoeff(&solution_.turning);
   constraints_.errors(terms_, state.t, state.q, phi_);
   pad(phi_);
-  constraints_.velocities(state.t, rate_);
-  pad(rate_);
-  rate_ = J_ * state.qd - rate_;
-  keep_held(rate_);
+  speed_errors(state.t, state.qd);
   solution_.turn = turn;
   solution_.beside = (turn * solve_.preimage(phi_).norm() + solve_.preimage(rate_).norm()) / speed;
 }
@@ -343,10 +348,7 @@ void System::project(double t, Vector& q, Vector& qd) {
     pad(phi_);
     q -= A_.matrixU().solve(solve_.preimage(phi_));  // J dq = -phi, dq = A^-1 J^T x
   }
-  constraints_.velocities(t, rate_);
-  pad(rate_);
-  rate_ = J_ * qd - rate_;
-  keep_held(rate_);
+  speed_errors(t, qd);
   const Vector taken = A_.matrixU().solve(solve_.preimage(rate_));  // J dqd = -(J qd - c')
   qd -= taken;
   pulled_ = (J_ * taken).head(rows);
@@ -426,9 +428,7 @@ System::Violation System::speed_violation(double t, const Vector& q, const Vecto
     return {};
   }
   constraints_.jacobian(geometry(q), J_);
-  constraints_.velocities(t, rate_);
-  rate_ = J_ * qd - rate_;
-  keep_held(rate_);
+  speed_errors(t, qd);
   return largest_of(rate_);
 }
 

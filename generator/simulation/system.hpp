@@ -137,6 +137,7 @@ class System {
   void pad(Vector& rows) const;
   void add_stabilisation(double t, const Vector& q, const Vector& qd);
   void keep_held(Vector& rows) const;
+  void speed_errors(double t, const Vector& qd);
   [[nodiscard]] Violation largest_of(const Vector& rows) const;
   void add_balance(const State& state);
   void add_turn(const State& state);

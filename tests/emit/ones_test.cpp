@@ -50,7 +50,7 @@ class Ones : public testing::TestWithParam<NearOne> {
   void expect_clean(const std::string& source) const {
     const std::string text = support::read_file(source);
     for (const char* const product : {"1.0 * ", " * 1.0;", "1.0f * ", " * 1.0f;"}) {
-      EXPECT_THAT(text.substr(text.rfind("}  // namespace\n\nvoid")), Not(HasSubstr(product)));
+      EXPECT_THAT(text.substr(text.find("\n// Names of values")), Not(HasSubstr(product)));
     }
   }
 

@@ -18,8 +18,7 @@ using simulation::Vector;
 constexpr std::size_t kCycle = 40;
 
 Events events_of(const model::Scene& scene, Source& source, std::size_t count) {
-  model::Scene longer = scene;
-  Run run(longer, source);
+  Run run(scene, source);
   const double part = static_cast<double>(scene.duration) / 10;
   for (std::size_t k = 1; run.events().size() < count && k <= 10 * count; ++k) {
     run.advance_to(run.start() + part * static_cast<double>(k));

@@ -28,15 +28,6 @@ TEST(CutWindow, HasTheOperationsOfItsItems) {
   EXPECT_EQ(operations(cut_window(network, items).network), expected);
 }
 
-TEST(CutWindow, HasAllOperationsOfASmallNetwork) {
-  const Function arm = planar_arm();
-  const Network network = network_of(arm.graph, arm.outputs);
-  Random random(1);
-  const Window window = cut_window(network, random_neighbourhood(network, random, 100000));
-  EXPECT_LE(operations(window.network), operations(network));
-  EXPECT_GT(operations(window.network), 0);
-}
-
 TEST(WithWindow, GivesBackTheWholeFromAnUnchangedWindow) {
   const Function chain = spatial_chain(5);
   const Network network = network_of(chain.graph, chain.outputs);

@@ -10,16 +10,14 @@
 namespace treedyn::program {
 namespace {
 
-Measure wide() {
-  return {[](Ref) { return 4; },
-          [](Ref) {
-            return 80;
-          }};
+Measure measure(int room, int own_line = 0) {
+  return {[](Ref) { return 4; }, [room](Ref) { return room; }, own_line};
 }
 
-Schedule schedule_all(const Graph& graph, const std::vector<Ref>& outputs) {
+Schedule schedule_all(const Graph& graph, const std::vector<Ref>& outputs,
+                      const Measure& columns = measure(80)) {
   return schedule(graph, outputs, operations_in_order(graph, outputs, Trigonometry::kEarly),
-                  wide());
+                  columns);
 }
 
 class OperationsInOrder : public testing::TestWithParam<Trigonometry> {};
@@ -117,32 +115,17 @@ TEST(Schedule, MakesTwoStatementsOfWhatDoesNotFit) {
   const Ref left = g.multiply(g.input(0, 0), g.input(0, 1));
   const Ref right = g.multiply(g.input(0, 2), g.input(0, 3));
   const Ref sum = g.add(left, right);
-  const std::vector<Ref> outputs = {sum};
-  const Measure narrow = {[](Ref) { return 4; },
-                          [](Ref) {
-                            return 20;
-                          }};
-  const Schedule result =
-      schedule(g, outputs, operations_in_order(g, outputs, Trigonometry::kEarly), narrow);
+  const Schedule result = schedule_all(g, {sum}, measure(20));
   EXPECT_EQ(result.statements.size(), 2U);
   EXPECT_NE(result.is_inlined(left), result.is_inlined(right));
-}
-
-Measure narrow(int room, int own_line) {
-  return {[](Ref) { return 4; }, [room](Ref) { return room; }, own_line};
-}
-
-Schedule schedule_all(const Graph& graph, const std::vector<Ref>& outputs, const Measure& measure) {
-  return schedule(graph, outputs, operations_in_order(graph, outputs, Trigonometry::kEarly),
-                  measure);
 }
 
 TEST(Schedule, GivesASumWithAProductALineOfItsOwn) {
   Graph g;
   const Ref product = g.multiply(g.input(0, 0), g.input(0, 1));
   const Ref sum = g.add(g.input(0, 2), product);  // 4 + 3 + (4 + 3 + 4) columns
-  EXPECT_EQ(schedule_all(g, {sum}, narrow(15, 18)).statements, (std::vector<Ref>{sum}));
-  EXPECT_EQ(schedule_all(g, {sum}, narrow(15, 17)).statements, (std::vector<Ref>{product, sum}));
+  EXPECT_EQ(schedule_all(g, {sum}, measure(15, 18)).statements, (std::vector<Ref>{sum}));
+  EXPECT_EQ(schedule_all(g, {sum}, measure(15, 17)).statements, (std::vector<Ref>{product, sum}));
 }
 
 TEST(Schedule, TakesOtherThingsThanTheProductOutOfASum) {
@@ -151,7 +134,7 @@ TEST(Schedule, TakesOtherThingsThanTheProductOutOfASum) {
   const Ref product = g.multiply(factor, g.input(0, 2));
   const Ref quotient = g.divide(g.input(0, 3), g.input(0, 4));
   const Ref sum = g.add(quotient, product);
-  const Schedule result = schedule_all(g, {sum}, narrow(20, 0));
+  const Schedule result = schedule_all(g, {sum}, measure(20));
   EXPECT_EQ(result.statements, (std::vector<Ref>{quotient, factor, sum}));
   EXPECT_TRUE(result.is_inlined(product));
 }

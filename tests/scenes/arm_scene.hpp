@@ -37,7 +37,7 @@ class SceneCode {
   }
 
   [[nodiscard]] const CompiledModel& code() const { return *code_; }
-  /// NAME.cpp without the comment that names the command.
+  /// NAME.cpp.
   [[nodiscard]] std::string source() const { return read_file(folder_.path() / "generated.cpp"); }
   /// NAME.hpp.
   [[nodiscard]] std::string header() const { return read_file(folder_.path() / "generated.hpp"); }

@@ -106,8 +106,8 @@ TEST(PhaseStep, BouncesAndComesToRest) {
   EXPECT_NEAR(scene.code().call("step", {q, qd, {0}, phase}).at(2), 10, 1e-12);
 }
 
-/// Height and speed of 1 kg that falls on ground of 1e6 N/m^1.5 and 0.3 s/m, by a million steps of
-/// symplectic Euler in the middle.
+/// Height and speed of 1 kg that falls on ground of 1e6 N/m^1.5 and 0.3 s/m, by steps of 0.1 us of
+/// the explicit midpoint rule.
 std::pair<double, double> dropped(double time) {
   double z = 0.01;
   double v = -1;
@@ -116,7 +116,7 @@ std::pair<double, double> dropped(double time) {
     const double law = at < 0 ? 1e6 * std::pow(-at, 1.5) * (1 - 0.3 * speed) : 0;
     return (law > 0 ? law : 0) - 10;
   };
-  for (int k = 0; k < std::lround(time / h); ++k) {  // the midpoint rule, order 2
+  for (int k = 0; k < std::lround(time / h); ++k) {
     const double v_half = v + h / 2 * a(z, v);
     const double z_half = z + h / 2 * v;
     v += h * a(z_half, v_half);

@@ -188,7 +188,7 @@ TEST(Crouch, ABipedStandsInFloatForAMillionSteps) {
       settled = k == 50000 ? stance.potential(q) : settled;
       EXPECT_LT(stance.off(q, start), 1e-5) << k;
       EXPECT_LT(stance.kinetic(q, qd), 1e-6) << k;
-      EXPECT_LT(std::abs(stance.potential(q) - settled), k < 50000 ? 1e3 : 1e-6) << k;
+      EXPECT_TRUE(k < 50000 || std::abs(stance.potential(q) - settled) < 1e-6) << k;
     }
     q.assign(next.values.begin(), next.values.begin() + static_cast<std::ptrdiff_t>(n));
     qd.assign(next.values.begin() + static_cast<std::ptrdiff_t>(n),

@@ -1,7 +1,6 @@
 // E2 of tests/scenes/README.md: an effect never makes a scene cheaper, and the arithmetic that a
 // compiler emits for it is what its price names, one by one.
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "support/process.hpp"
+#include "scenes/arm_scene.hpp"
 
 namespace treedyn::support {
 namespace {
@@ -33,14 +32,11 @@ struct Count {
 };
 
 std::string scene_text(const Effects& effects) {
-  std::string text = fmt::format(
-      "scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n  - {{name: hand, link: forearm, at: "
-      "[1, 0, 0]}}\neffects:\n  gravity: [0, 0, -9.81]\n",
-      TREEDYN_SOURCE_DIR);
+  std::string lines;
   for (const std::string& effect : effects) {
-    text += fmt::format("  {}:\n    - {}\n", effect, kEffects.at(effect));
+    lines += fmt::format("  {}:\n    - {}\n", effect, kEffects.at(effect));
   }
-  return text + "duration: 1\n";
+  return arm_scene(lines);
 }
 
 void succeed(const std::vector<std::string>& command) {
@@ -88,9 +84,9 @@ Count count(const Effects& effects) {
            "-fno-tree-vectorize", "-c", stem + ".cpp", "-o", stem + ".o"});
   const Outcome listing = run({"objdump", "-dr", "--no-show-raw-insn", stem + ".o"});
   EXPECT_EQ(listing.status, 0) << listing.err;
-  const auto manifest = nlohmann::json::parse(read_file(stem + ".json"));
+  const auto manifest = Json::parse(read_file(stem + ".json"));
   Count result = instructions_of(listing.out);
-  for (const nlohmann::json& each : manifest.at("functions").front().at("operations")) {
+  for (const Json& each : manifest.at("functions").front().at("operations")) {
     result.operations += each.get<long>();
   }
   return result;

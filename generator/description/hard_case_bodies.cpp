@@ -1,4 +1,4 @@
-#include "description/scene_bodies.hpp"
+#include "description/hard_case_bodies.hpp"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-// The bodies of a scene file as a tree description.
+// The bodies of a case of hard_cases as a tree description.
 #pragma once
 
 #include "description/raw_tree.hpp"
