@@ -203,7 +203,7 @@ function(treedyn_generate target)
   elseif(language STREQUAL "CXX")
     target_compile_features(${target} PUBLIC cxx_std_11)
   elseif(c_std_99 IN_LIST CMAKE_C_COMPILE_FEATURES)  # nothing is known of some compilers
-    target_compile_features(${target} PUBLIC c_std_99)
+    target_compile_features(${target} PRIVATE c_std_99)
   endif()
   set(gnu_like "$<${language}_COMPILER_ID:GNU,Clang,AppleClang>")
   target_compile_options(${target} PRIVATE "$<${gnu_like}:-fno-math-errno>")

@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x6527298c15ec4e5aULL, "header and source are of different runs");
+static_assert(kDigest == 0xe3e261db64de0bdaULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -673,9 +673,9 @@ constexpr double left_foot_G1 = -0.1386019141706801;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 // Lengths inside are in units of L, a distance between left_hip_roll and left_hip_pitch:
 //   L = 0.01 m

@@ -38,7 +38,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x6527298c15ec4e5aULL;
+constexpr unsigned long long kDigest = 0xe3e261db64de0bdaULL;
 
 /// Index of every joint.
 namespace joint {

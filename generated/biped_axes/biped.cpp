@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xdd9cad2ff00cc35dULL, "header and source are of different runs");
+static_assert(kDigest == 0x36d792ddc01aa864ULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -929,9 +929,9 @@ constexpr double left_foot_p2 = 14.402591264396625;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar q_q8_q9 = q[8] + q[9];

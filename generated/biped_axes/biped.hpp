@@ -44,7 +44,7 @@ constexpr int kDof = 18;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xdd9cad2ff00cc35dULL;
+constexpr unsigned long long kDigest = 0x36d792ddc01aa864ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -10,7 +10,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x3d7d6f33339efb36ULL, "header and source are of different runs");
+static_assert(kDigest == 0x59c833741b302c85ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -665,9 +665,9 @@ constexpr float left_foot_G1 = -0.13860191f;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 // Lengths inside are in units of L, a distance between left_hip_roll and left_hip_pitch:
 //   L = 0.01 m

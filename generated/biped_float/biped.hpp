@@ -38,7 +38,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x3d7d6f33339efb36ULL;
+constexpr unsigned long long kDigest = 0x59c833741b302c85ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -10,7 +10,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0x54ab549652490597ULL, "header and source are of different runs");
+static_assert(kDigest == 0x1b42bfdf664f2333ULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -195,9 +195,9 @@ constexpr double left_leg_p7 = 19.62;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   Scalar sines[4];

@@ -28,7 +28,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x54ab549652490597ULL;
+constexpr unsigned long long kDigest = 0x1b42bfdf664f2333ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -30,7 +30,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x38fe301f84fdcd0fULL;
+constexpr unsigned long long kDigest = 0x6913a05fe1687387ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -10,7 +10,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xca92c5a997772101ULL, "header and source are of different runs");
+static_assert(kDigest == 0x6b14b87dcd17fcbfULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -116,9 +116,9 @@ constexpr double boom_p1 = 0.23529411764705882;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
   // shoulder_link: A of (2)

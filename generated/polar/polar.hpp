@@ -25,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xca92c5a997772101ULL;
+constexpr unsigned long long kDigest = 0x6b14b87dcd17fcbfULL;
 
 /// Index of every joint.
 namespace joint {

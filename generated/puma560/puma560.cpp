@@ -10,7 +10,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0xab78c7f7bced3339ULL, "header and source are of different runs");
+static_assert(kDigest == 0x487de617fc966112ULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -290,9 +290,9 @@ constexpr double link6_p3 = 144.0;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 // Lengths inside are in units of L, a distance between joint3 and joint4:
 //   L = -0.0203 m

@@ -26,7 +26,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xab78c7f7bced3339ULL;
+constexpr unsigned long long kDigest = 0x487de617fc966112ULL;
 
 /// Index of every joint.
 namespace joint {

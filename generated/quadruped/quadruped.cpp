@@ -10,7 +10,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0xa3913bb99455378dULL, "header and source are of different runs");
+static_assert(kDigest == 0x749f8c7694de2f85ULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -456,9 +456,9 @@ constexpr double front_left_shank_p1 = 2057.0036861506055;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar q_q1_q2 = q[1] + q[2];

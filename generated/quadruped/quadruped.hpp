@@ -38,7 +38,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xa3913bb99455378dULL;
+constexpr unsigned long long kDigest = 0x749f8c7694de2f85ULL;
 
 /// Index of every joint.
 namespace joint {

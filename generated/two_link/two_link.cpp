@@ -10,7 +10,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x54f750a100cf3fd7ULL, "header and source are of different runs");
+static_assert(kDigest == 0x8515c25e456eb37bULL, "header and source are of different runs");
 static_assert(sizeof(1.0) == sizeof(double), "not for -fsingle-precision-constant");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -174,9 +174,9 @@ constexpr double forearm_p7 = 27.77777777777778;
 
 }  // namespace
 
-// Names of values: a symbol of the equation, the link, and the component along axes that are fixed
-// to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_: sine
-// and cosine; t_: a part of others.
+// Names of values: a symbol of the equation, the link (in short), and the component along axes that
+// are fixed to a link or to the base and need not be those of the model. neg_: the opposite; s_, c_
+// of an angle: sine and cosine; s_ with a component: a way between joints; t_: a part of others.
 
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
   const Scalar c_elbow = cos(q[1]);

@@ -25,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x54f750a100cf3fd7ULL;
+constexpr unsigned long long kDigest = 0x8515c25e456eb37bULL;
 
 /// Index of every joint.
 namespace joint {

@@ -47,8 +47,7 @@ constexpr std::array<RuleRow, 39> kRules = {{
     {Rule::kFathers, "F3", "what is made of N x alone is the father's: S(N x) = Π S(D x)"},
     {Rule::kPseudoInertia, "F4",
      "I α + ω×(I ω) = vee(Ω Ψ), Ω = Λ(α) + Λ(ω)², of the second moments Ψ, I = tr(Ψ) E_3 - Ψ: the "
-     "same "
-     "products twice; vee(X) = (X_zy - X_yz, X_xz - X_zx, X_yx - X_xy)"},
+     "same products twice; vee(X) = (X_zy - X_yz, X_xz - X_zx, X_yx - X_xy)"},
     {Rule::kComposite, "F5",
      "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) E_3 - F, F = h s^T + s h^T + m s s^T: symmetric"},
     {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² Ψ): squares and products of ω, each once"},

@@ -266,8 +266,8 @@ Kinematics Kinematics::with_loads(const PointLoads& loads) const {
 Kinematics Kinematics::from_trunk(const Vec3& omega) const {
   Kinematics k = *this;
   const Expr one = constant(graph_, Real(1));
-  for (std::size_t i = 0; i <= to_index(kTrunkLink);
-       ++i) {  // x, y, z: z of link i is the next axis
+  // x, y, z: z of link i is the next axis
+  for (std::size_t i = 0; i <= to_index(kTrunkLink); ++i) {
     k.rotations_[i] = {{kZ, Expr(), one}, {kX, Expr(), one}};
     k.offset_[i] = k.joint_offset_[i] = {};
   }

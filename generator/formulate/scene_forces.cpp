@@ -89,8 +89,8 @@ Vec3 SceneForces::angular_velocity(int point) const {
   Options options = task_.options;
   options.points = {scene_.points[to_index(point)]};
   const Kinematics& k = moving_ ? *moving_ : task_.kinematics;
-  return triple(
-      build_derived({task_.tree, task_.normal, options, k}, angular_velocities(), Way::kInLinks));
+  return triple(build_derived({task_.tree, task_.normal, options, k}, angular_velocities(),
+                              moving_ ? Way::kToRoot : Way::kInLinks));
 }
 
 Vec3 SceneForces::load(const model::PointLaw& law) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -220,9 +221,10 @@ class Simulator {
   double scale_ = 0;                ///< in which they have no pulse, s
   std::vector<int> turning_;        ///< revolute coordinates
   std::vector<Watch> watches_;
-  std::vector<LiftOff> lift_offs_;           ///< events behind those of the phase
-  std::set<const model::Event*> rebounded_;  ///< whose impacts turned their expressions upwards
-  Vector arrived_;                           ///< where the last event has happened, before it
+  std::vector<LiftOff> lift_offs_;               ///< events behind those of the phase
+  std::set<const model::Event*> rebounded_;      ///< whose impacts turned their expressions upwards
+  std::map<const model::Event*, double> blows_;  ///< the largest rates at which they did
+  Vector arrived_;                               ///< where the last event has happened, before it
   std::vector<EventRecord> events_;
 };
 

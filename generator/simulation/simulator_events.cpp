@@ -25,7 +25,7 @@ constexpr int kMaxPile = 100;
 constexpr double kPile = 1e-10;
 /// Of the largest change of speed that an impact should make, what a row may lack of its own.
 constexpr double kUnmet = 1e-2;
-/// Of the largest speed of a joint, what bodies that touch may close at by rounding: differences of
+/// Of the largest speed of a blow, what bodies that touch may close at by rounding: differences of
 /// expressions have 1e-10 of their terms.
 constexpr double kCreep = 1e-8;
 
@@ -59,7 +59,7 @@ void Simulator::refuse_small_rebounds(const Watch& watch, double t, const Vector
     rebounded_.erase(watch.event);
   } else if (const double here = watch.value(system_, t_, y_);
              here <= 0 && watch.value(system_, t, y) < here &&
-             slope_of(watch, y) < -kCreep * y.tail(system_.dof()).cwiseAbs().maxCoeff()) {
+             slope_of(watch, y) < -kCreep * blows_[watch.event]) {
     throw std::runtime_error(
         fmt::format("rebounds of '{}' pile up at t = {} s until none is seen: expected a "
                     "touch_down, which may come to rest, or an impact without restitution",
@@ -77,6 +77,8 @@ void Simulator::strike_expression(const Watch& watch) {
   const auto restitution = static_cast<double>(watch.event->impact->restitution);
   if (restitution > 0 && before < 0 && slope_of(watch, y_) > -before * restitution / 2) {
     rebounded_.insert(watch.event);
+    double& largest = blows_[watch.event];
+    largest = std::max(largest, -before);
   }
 }
 

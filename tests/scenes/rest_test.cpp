@@ -46,7 +46,7 @@ std::pair<double, double> bounced(const std::string& stepping, int count) {
   if (stepping.find("cuts: 0") == std::string::npos) {
     EXPECT_EQ(late, 0);
   } else {  // bounces at 0.8^k sqrt(2 g) m/s until a step of 0.1 ms takes one back: k < 37.7
-    EXPECT_GT(late, 0);
+    EXPECT_GT(late, 20);  // most of them
     EXPECT_LE(late, 37);
   }
   return {lowest, q[0]};
