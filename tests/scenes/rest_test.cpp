@@ -45,8 +45,11 @@ std::pair<double, double> bounced(const std::string& stepping, int count) {
   EXPECT_EQ(phase[0], 1);
   if (stepping.find("cuts: 0") == std::string::npos) {
     EXPECT_EQ(late, 0);
-  } else {  // bounces at 0.8^k sqrt(2 g) m/s until a step of 0.1 ms takes one back: k < 37.7
-    EXPECT_GT(late, 20);  // most of them
+  } else {
+    // Bounces at 0.8^k sqrt(2 g) m/s until a step h of 0.1 ms takes one back: k < 37.7. An impact
+    // at the end of its step is v h below the plane at most, from where v^2 becomes (0.8 v)^2 -
+    // 2 g v h: 29 bounces; an Euler step may cost one more.
+    EXPECT_GE(late, 28);
     EXPECT_LE(late, 37);
   }
   return {lowest, q[0]};
